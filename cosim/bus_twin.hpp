@@ -2,6 +2,7 @@
 //
 // A bit-exact twin on its processor's bus, with the platform beside it. `Board`: a ProcessorBus.
 // `Pins`: the table of the chip's ports, as of BusChip; the twin's In and out() have their names.
+// Its reset is behind it when it is made.
 #pragma once
 
 #include "cosim/hosted_twin.hpp"
@@ -12,6 +13,14 @@ namespace trammel::cosim {
 template <class Base, class Board, class Pins, class Twin>
 class BusTwin : public HostedTwin<Base, Board, Twin> {
  public:
+  explicit BusTwin(const Twin& twin, const Board& board = Board())
+      : HostedTwin<Base, Board, Twin>(twin) {
+    state_ = board;
+    state_.connect(in_);
+    this->reset();
+    show();
+  }
+
   Lines drive() const override { return state_.lines; }
   void sense(Lines lines) override { Pins::sense(in_, lines); }
   void request(const BusOp& op) override {
@@ -19,15 +28,19 @@ class BusTwin : public HostedTwin<Base, Board, Twin> {
   }
 
  protected:
-  using HostedTwin<Base, Board, Twin>::HostedTwin;
   using HostedTwin<Base, Board, Twin>::in_;
   using HostedTwin<Base, Board, Twin>::state_;
   using HostedTwin<Base, Board, Twin>::twin_;
 
-  bool drive_changed() override { return state_.changed(Pins::drive(twin_.out())); }
-  virtual void put(const BusOp& op) = 0;  // at the twin's bus
+  // At the twin's bus.
+  virtual void put(const BusOp& op) { twin_.request(op.addr, op.data, op.write); }
 
  private:
+  bool show() { return state_.changed(Pins::drive(twin_.out())); }
+  bool drive_changed() final {
+    state_.serve(twin_.out(), in_, [this](int channel) { return this->sampled(channel); });
+    return show();
+  }
   bool publishes() const override { return state_.samples(state_.now); }
   bool bus_active() const final { return state_.platform_active || twin_.open(); }
   bool host_pin() const final { return twin_.irq(); }

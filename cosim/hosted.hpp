@@ -42,8 +42,9 @@ class Hosted : public Base {
 
   State& state() { return state_; }
 
-  Stop run(Clk end, const Plant&) override {
+  Stop run(Clk end, const Plant& plant) override {
     State& s = state_;
+    plant_ = &plant;
     while (s.now < end) {
       const Clk edge = s.now;
       const bool bus = bus_active();
@@ -81,7 +82,13 @@ class Hosted : public Base {
   virtual bool drive_changed() = 0;               // by the edge just passed
   virtual bool host_pin() const = 0;              // the chip interrupts
 
+  // What a converter takes at the edge just passed.
+  int sampled(int channel) const { return plant_->sample(channel, state_.now - 1); }
+
   State state_;
+
+ private:
+  const Plant* plant_ = nullptr;  // of this run
 };
 
 }  // namespace trammel::cosim

@@ -54,6 +54,16 @@ struct ProcessorBus : HostedState {
   BusOp placed() const { return op; }
   void answer(std::uint32_t data) { rdata = data; }
 
+  // Converters and memories of a board on the chip's ports: their levels before time 0, and what
+  // they do after each evaluated edge; true when one of the ports `in` moves. `code(channel)`
+  // samples the plant.
+  template <class In>
+  void connect(In&) const {}
+  template <class Out, class In, class Code>
+  bool serve(const Out&, In&, Code&&) {
+    return false;
+  }
+
   // The pins toward the plant after an edge; true when one changed.
   bool changed(Lines pins) {
     const bool moved = pins != lines;

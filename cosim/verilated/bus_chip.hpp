@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A verilated chip with an AXI4-Lite port and an interrupt, `irq_o`, and the platform beside it.
-// `Board`: a ProcessorBus. `Pins`: the table of the chip's ports,
+// `Board`: a ProcessorBus, made of a chip's `Setup`. Its reset is behind it when it is made.
+// `Pins`: the table of the chip's ports,
 //
+//   static constexpr Lines kIdle          that the plant drives at the reset
 //   static void sense(Model&, Lines)      that the plant drives
 //   static Lines drive(const Model&)      that drive the plant
 #pragma once
@@ -26,6 +28,16 @@ class BusChip : public HostedChip<Base, BusState<Board>, Model, Tracer> {
   using Hosted = HostedChip<Base, BusState<Board>, Model, Tracer>;
 
  public:
+  template <class... Setup>
+  BusChip(Tracer tracer, ModelMode mode, const Setup&... setup) : Hosted(std::move(tracer), mode) {
+    static_cast<Board&>(state_) = Board(setup...);
+    state_.bus.reset(*model_);
+    state_.connect(*model_);
+    BusChip::sense(Pins::kIdle);
+    this->reset();
+    show();
+  }
+
   Lines drive() const override { return state_.lines; }
   void sense(Lines lines) override {
     Pins::sense(*model_, lines);
@@ -41,14 +53,15 @@ class BusChip : public HostedChip<Base, BusState<Board>, Model, Tracer> {
   using Hosted::model_;
   using Hosted::state_;
 
-  BusChip(Tracer tracer, ModelMode mode) : Hosted(std::move(tracer), mode) {
-    state_.bus.reset(*model_);
-  }
-
-  bool drive_changed() override { return state_.changed(Pins::drive(*model_)); }
   virtual void strobe() {}  // other bytes of a transfer than all
 
  private:
+  bool show() { return state_.changed(Pins::drive(*model_)); }
+  bool drive_changed() final {
+    const auto code = [this](int channel) { return this->sampled(channel); };
+    if (state_.serve(*model_, *model_, code)) state_.dirty = true;
+    return show();
+  }
   bool publishes() const override { return state_.samples(state_.now); }
   bool bus_active() const final { return state_.bus.active() || state_.platform_active; }
   bool host_pin() const final { return model_->irq_o != 0; }

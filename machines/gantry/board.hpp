@@ -21,10 +21,15 @@ struct Board : cosim::ProcessorBus {
     lines = cosim::Lines{1} << kTx;
   }
 
-  // Before time 0 and after each evaluated edge. The memory takes a word at an edge where it is
-  // ready, and it always is: `out` are the chip's ports after the edge, so a write is of the next
-  // one, which nothing can keep from coming. `code(channel)` samples the plant. True when one of
-  // the chip's ports `in` moves.
+  template <class In>
+  void connect(In& in) const {
+    in.nv_ready_i = true;
+    in.adc_dout_i = false;
+    in.nv_data_i = nv_word();
+  }
+
+  // The memory takes a word at an edge where it is ready, and it always is: `out` are the chip's
+  // ports after the edge, so a write is of the next one, which nothing can keep from coming.
   template <class Out, class In, class Code>
   bool serve(const Out& out, In& in, Code&& code) {
     const bool bit = adc.step(out.adc_cs_n_o != 0, out.adc_sclk_o != 0, out.adc_din_o != 0, code);

@@ -19,6 +19,8 @@ inline constexpr Port pwm{0, kMotors}, negative{2, kMotors};
 inline constexpr int kTx = 4;
 
 struct Pins {
+  static constexpr cosim::Lines kIdle = cosim::Lines{1} << kRx;
+
   template <class In>
   static void sense(In& in, cosim::Lines lines) {
     Port{kRx}.put(in.rx_i, lines);

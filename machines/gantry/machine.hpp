@@ -19,6 +19,16 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 std::vector<std::string> remarks(const lab::Record& record);
 const cosim::TriggerForms& triggers();  // machine.cpp
 
+// rules.cpp
+void validate(lab::Settings& settings);
+std::vector<std::string> warnings(const lab::Settings& settings);  // what no run of them sends
+
+// missed.cpp: why the program gave up, and what chip and program have seen of a fault; why a run
+// that came to its end is not done; each "" where it is not so.
+const char* what_failed(const sw::GantryMailbox& mail);
+std::string what_noticed(const sw::GantryMailbox& mail, const Words& words);
+std::string what_missed(const Options& options, const Result& result);
+
 // What the non-volatile memory holds at power-on: data of an ideal sensor of amplitude 400.
 Store ideal_store();  // store.cpp
 

@@ -15,6 +15,8 @@
 
 namespace trammel::gantry {
 
+class TrackPlant;  // plant.hpp
+
 // Figures are of these, every millisecond whatever the record has.
 struct Look {
   cosim::Clk edge = 0;
@@ -52,6 +54,13 @@ struct Result : cosim::RunResult {
   Store store{};                     // as the run left it
   std::optional<Identified> identified;  // of a random force without controller
 };
+
+// Of an edge, from chip, plant and program.
+Sample sample_of(cosim::Clk edge, const GantryChip& chip, const TrackPlant& plant,
+                 const sw::GantryMailbox& mail);
+
+// What the program has to tell of itself.
+void note_program(Result& result, const sw::GantryMailbox& mail);
 
 // What a step of the reference gives, in mm of the true cart from its zero.
 struct StepFigures {

@@ -12,17 +12,7 @@ namespace {
 
 class TwinChip final : public cosim::BusTwin<GantryChip, Board, Pins, exact::GantryTau> {
  public:
-  explicit TwinChip(const ChipSetup& setup) : BusTwin(exact::GantryTau()) {
-    state_ = Board(setup);
-    in_.nv_data_i = state_.nv_word();
-    reset();
-    BusTwin::drive_changed();
-  }
-
-  cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
-    plant_ = &plant;
-    return BusTwin::run(end, plant);
-  }
+  using BusTwin::BusTwin;
 
   const Store& store() const override { return state_.store; }
   Words words() const override {
@@ -40,23 +30,12 @@ class TwinChip final : public cosim::BusTwin<GantryChip, Board, Pins, exact::Gan
     w.lost = static_cast<std::uint16_t>(twin_.serial().in().lost());
     return w;
   }
-
- private:
-  void put(const cosim::BusOp& op) override { twin_.request(op.addr, op.data, op.write); }
-
-  bool drive_changed() override {
-    state_.serve(twin_.out(), in_,
-                 [this](int channel) { return plant_->sample(channel, state_.now - 1); });
-    return BusTwin::drive_changed();
-  }
-
-  const cosim::Plant* plant_ = nullptr;
 };
 
 }  // namespace
 
 std::unique_ptr<GantryChip> make_twin_chip(const ChipSetup& setup) {
-  return std::make_unique<TwinChip>(setup);
+  return std::make_unique<TwinChip>(exact::GantryTau(), Board(setup));
 }
 
 }  // namespace trammel::gantry

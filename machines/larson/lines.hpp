@@ -20,6 +20,8 @@ inline constexpr Port step{0, 1, kAxes, kOutputs}, forward{1, 1, kAxes, kOutputs
     flush{2, 1, kAxes, kOutputs};
 
 struct Pins {
+  static constexpr cosim::Lines kIdle = 0;
+
   template <class In>
   static void sense(In& in, cosim::Lines lines) {
     limit_low.put(in.limit_low_i, lines);

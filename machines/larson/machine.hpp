@@ -32,6 +32,9 @@ std::string what_was_running(const Options& options, const Result& result);
 // What a pulse that made no step breached: "direction turned 0.24 us behind its edge".
 std::string breach_text(const plant::StepBreach& breach, std::int64_t clock_ps);
 
+// rules.cpp
+void validate(lab::Settings& settings);
+
 // Calls of the options' script. Throws host::ConfigError.
 std::vector<Call> calls_of(const Options& options);
 

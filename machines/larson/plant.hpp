@@ -9,9 +9,13 @@
 
 #include "cosim/fault_plant.hpp"
 #include "machines/larson/lines.hpp"
+#include "machines/larson/options.hpp"
 #include "models/plant/stepper_axis.hpp"
 
 namespace trammel::larson {
+
+// Of an axis whose table starts at `start` [step].
+plant::StepperAxisConfig axis_of(const Options& options, double start);
 
 class TablePlant final : public cosim::FalliblePlant {
  public:
@@ -19,6 +23,7 @@ class TablePlant final : public cosim::FalliblePlant {
       : axes_{plant::StepperAxis(x), plant::StepperAxis(y)} {}
 
   const plant::StepperAxis& axis(std::size_t k) const { return axes_[k]; }
+  double at(std::size_t k, cosim::Clk edge) const { return axes_[k].state(edge).at; }  // [step]
 
   // Closed: X low, X high, Y low, Y high.
   unsigned switches() const {

@@ -15,6 +15,8 @@
 
 namespace trammel::larson {
 
+class TablePlant;  // plant.hpp
+
 struct AxisSample {
   std::uint32_t words = 0;   // of the chip: status word and count
   std::int32_t step = 0;     // of the translator, from the calibration point
@@ -56,6 +58,10 @@ struct Event {
   std::uint32_t count = 0, status = 0;
 };
 
+// Of an edge, from chip and plant, whose platforms [step] are there; without the program.
+Sample sample_of(cosim::Clk edge, const LarsonChip& chip, const TablePlant& plant,
+                 const std::array<double, 2>& platforms);
+
 struct Result : cosim::RunResult {
   std::size_t sample_count() const override { return samples.size(); }
   std::string fault_text() const override { return fault; }
@@ -86,6 +92,9 @@ struct Result : cosim::RunResult {
   bool calibrated = false;
   unsigned stopped = 0;  // bit 0 X, bit 1 Y: by a switch, without a CALTBL behind it
 };
+
+// Losses, breaches and moves of the pulses up to now.
+void note_plant(Result& result, const TablePlant& plant);
 
 inline constexpr std::size_t kMostEvents = 5000;
 

@@ -1,89 +1,149 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One run of the machine larson, ready to be driven by a wiring: chip, plant, firmware, loop and
-// record, and the decision when the run is over.
+// One run of the machine larson: what a sample records, and when the run is over.
 #pragma once
 
 #include <array>
-#include <map>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "cosim/sampled_session.hpp"
-#include "machines/larson/plant.hpp"
-#include "machines/larson/record.hpp"
+#include "cosim/machine_session.hpp"
+#include "machines/larson/calls.hpp"
+#include "machines/larson/events.hpp"
+#include "machines/larson/machine.hpp"
+#include "machines/larson/signals.hpp"
 
 namespace trammel::larson {
 
-class Session final : public cosim::SampledSession {
+class Session final : public cosim::MachineSession<Options, TablePlant, LarsonChip, Result> {
  public:
   // Throws host::ConfigError for a script that cannot be read.
-  Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
+  Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {})
+      : MachineSession(
+            options, hooks, waves, 1e-3 * options.record_ms, "step",
+            [&o = options] {
+              return TablePlant(axis_of(o, o.start_x), axis_of(o, o.start_y));
+            },
+            make_verilated_chip, make_twin_chip,
+            ChipSetup{options.run.clocks(1e-3 * options.record_ms)}),
+        calls_(options, *chip_, plant_),
+        app_(calls_.app()),
+        events_(*chip_, plant_, period_ps()),
+        last_at_{plant_.at(0, 0), plant_.at(1, 0)} {}
 
   sw::Firmware& firmware() override { return app_; }
-  std::vector<cosim::Place> places() const override;
-  std::unique_ptr<cosim::RunResult> result() override;
+  std::vector<cosim::Place> places() const override {
+    const cosim::Clk now = chip_->now();
+    return {{"x", "step", plant_.at(0, now)}, {"y", "step", plant_.at(1, now)}};
+  }
 
  private:
-  void passed() override { note_calls(); }
-  void noted(const cosim::Stop& stop) override;
-  void sampled(cosim::Clk edge, bool recorded) override;
-  double progress() const override;
-  std::optional<cosim::EndReason> ending(cosim::Clk edge) override;
-  bool drives_off() const override { return resting(); }
-  std::string noticed() const override;
-  cosim::FaultTruth truth(cosim::Clk edge) const override;
-  std::int64_t read(std::size_t signal, int axis) const override;
-  Sample sample_at(cosim::Clk edge) const;
-  void look(const Sample& now);
-  std::unique_ptr<Result> result_now() const;
-  void note_calls();
-  void note_events(const cosim::Stop& stop);
-  void note_pulses(cosim::Clk edge);
-  void note_rate(std::size_t axis, cosim::Clk edge);
-  void note_plant();
-  void note_requests(cosim::Clk edge);
-  void note(Event event);
-  bool resting() const;
-  double at(std::size_t axis, cosim::Clk edge) const { return plant_.axis(axis).state(edge).at; }
-  std::array<double, 2> platform(cosim::Clk edge) const;
-  CallDone heard_at(cosim::Clk edge) const;
-  bool moving(std::size_t axis) const;
+  bool drives_off() const override { return calls_.resting(); }
+  // What the program has seen of a fault: a failure, or an error return.
+  std::string noticed() const override {
+    if (app_.mailbox().failure != 0) return "CALTBL";
+    const cosim::FaultSpan span(options_.fault, period_ps());
+    return calls_.late(span.begin) ? "WTTBL" : "";
+  }
+  cosim::FaultTruth truth(cosim::Clk edge) const override {
+    return {{plant_.at(0, edge), plant_.at(1, edge)},
+            0,
+            plant_.axis(0).hit_stop() || plant_.axis(1).hit_stop()};
+  }
+  std::int64_t read(std::size_t signal, int axis) const override {
+    const auto k = static_cast<std::size_t>(axis);
+    switch (static_cast<SignalOf>(signal)) {
+      case SignalOf::kCount: return chip_->words(axis) & 0xFFFF;
+      case SignalOf::kStatus: return chip_->words(axis) >> 16;
+      case SignalOf::kWaiting: return plant_.axis(k).waiting();
+      case SignalOf::kCall: return app_.mailbox().point;
+      case SignalOf::kSwitches: return plant_.switches();
+    }
+    return 0;
+  }
 
-  Options options_;
-  std::vector<Call> calls_;
-  std::vector<sw::LarsonCall> program_;
-  std::vector<sw::LarsonAnswer> answers_;
-  TablePlant plant_;
-  std::unique_ptr<LarsonChip> chip_;
+  // Calls that have ended since the last stop ended when the processor last heard of the chip,
+  // which is the same in every wiring; a stop is where the look-ahead happens to end.
+  void passed() override { calls_.note(app_.mailbox()); }
+  void noted(const cosim::Stop& stop) override {
+    if ((stop.why & (cosim::kBusDone | cosim::kIrq)) != 0) calls_.hear(stop.edge);
+    events_.on(stop);
+  }
+  Sample sample_at(cosim::Clk edge) const override {
+    Sample sample = sample_of(edge, *chip_, plant_, calls_.platform(edge));
+    for (std::size_t k = 0; k < 2; ++k) {
+      sample.axis[k].asked = static_cast<std::int32_t>(events_.asked(k));
+    }
+    sample.call = app_.mailbox().point;
+    return sample;
+  }
+  // Up to the last one within record.settle_s of the last call; the record ends with its own
+  // sample.
+  void look(const Sample& now) override {
+    if ((now.edge + 1) % kLook != 0) return;
+    looks_.push_back(now);
+    for (std::size_t k = 0; k < 2; ++k) {
+      travel_[k] += std::fabs(now.axis[k].at - last_at_[k]);
+      last_at_[k] = now.axis[k].at;
+    }
+    if (app_.mailbox().done == 0) return;
+    const double since = cosim::seconds_of(now.edge + kLook - calls_.ended(), period_ps());
+    if (since <= options_.settle_s || (!calls_.resting() && since <= kLongest_s)) return;
+    events_.note_plant();  // up to here
+    at_end_ = result_now();
+  }
+  void mix(const Sample& sample) override {
+    for (const AxisSample& axis : sample.axis) hash_.mix(axis.words);
+  }
+  double progress() const override {
+    return app_.mailbox().point / static_cast<double>(calls_.size());
+  }
+  std::optional<cosim::EndReason> ending(cosim::Clk edge) override {
+    if (app_.mailbox().done == 0) return {};
+    if (done_at_ == cosim::kNever) done_at_ = edge;
+    const double since = cosim::seconds_of(edge - done_at_, period_ps());
+    if (since < options_.settle_s || (!calls_.resting() && since < kLongest_s)) return {};
+    return SampledSession::ending(edge);
+  }
+  std::unique_ptr<Result> result_now() const override {
+    auto result = std::make_unique<Result>();
+    const auto& mailbox = app_.mailbox();
+    if (mailbox.failure != 0) result->fault = "CALTBL found no switch, or could not leave it";
+    calls_.give(*result);
+    events_.give(*result);
+    note_plant(*result, plant_);
+    for (std::size_t k = 0; k < 2; ++k) {
+      result->mean_current[k] =
+          plant_.axis(k).mean_current(looks_.empty() ? 0 : looks_.back().edge);
+    }
+    result->travel = travel_;
+    result->end_at = last_at_;
+    result->known = mailbox.known;
+    result->calibrated = mailbox.calibrated != 0;
+    result->stopped = mailbox.stopped;
+    result->err_byte = chip_->err_byte();
+    return result;
+  }
+  void conclude(Result& result, bool whole) override {
+    using End = cosim::EndReason;
+    result.looks = std::move(looks_);
+    if (whole && !result.fault.empty()) result.end = End::kFault;
+    if (result.end == End::kFault) miss(result);
+    if (result.end == End::kTimeout) result.fault = what_was_running(options_, result);
+  }
+  std::string missed(const Result& result) const override { return what_missed(options_, result); }
+
+  static constexpr double kLongest_s = 5;  // of buffers that still hold pulses
+
+  Calls calls_;
   sw::LarsonApp app_;
-  host::DiskVector<Sample> samples_, looks_;
-  std::unique_ptr<Result> at_end_;  // what there was at the last look; null: that is to come
-  cosim::Clk ended_ = cosim::kNever;    // the program has
-  cosim::Clk done_at_ = cosim::kNever;  // the sample of the record behind that
-
-  std::vector<CallDone> done_;
-  std::vector<Event> events_;
-  std::size_t event_count_ = 0;
-  std::uint32_t interrupts_ = 0;
-  unsigned requests_ = 0;  // of the chip, after the last event
-  unsigned switches_ = 0;
-  cosim::Lines drive_ = 0;
-  std::array<std::uint32_t, 2> pulses_{};
-  std::array<std::int64_t, 2> asked_;  // [step] where they have the table
-  std::array<std::size_t, 2> losses_{}, moves_{}, breaches_{};  // of the plant's lists, noted
-  std::array<std::uint32_t, 2> words_{};           // of the chip, at the last stop
-  struct RateRun {
-    std::uint32_t code = 0;
-    cosim::Clk first = 0, last = 0;
-    int pulses = 0;  // since the first
-  };
-  std::array<RateRun, 2> rate_runs_;  // pulses one behind the other, at one rate code
-  std::map<std::uint32_t, double> rates_;
-  CallDone heard_;  // of the last event that the processor could answer to; [step] of the rotors
-  std::array<double, 2> travel_{}, last_at_{}, origin_{};
+  Events events_;
+  host::DiskVector<Sample> looks_;
+  cosim::Clk done_at_ = cosim::kNever;  // the first sample of the record with all calls ended
+  std::array<double, 2> travel_{}, last_at_{};
 };
 
 }  // namespace trammel::larson

@@ -12,11 +12,7 @@ namespace {
 
 class TwinChip final : public cosim::BusTwin<LarsonChip, Board, Pins, exact::LarsonXy> {
  public:
-  explicit TwinChip(const ChipSetup& setup) : BusTwin(exact::LarsonXy()) {
-    state_ = Board(setup);
-    reset();
-    drive_changed();
-  }
+  using BusTwin::BusTwin;
 
   std::uint32_t words(int axis) const override {
     return twin_.table().words(static_cast<std::size_t>(axis));
@@ -35,7 +31,7 @@ class TwinChip final : public cosim::BusTwin<LarsonChip, Board, Pins, exact::Lar
 }  // namespace
 
 std::unique_ptr<LarsonChip> make_twin_chip(const ChipSetup& setup) {
-  return std::make_unique<TwinChip>(setup);
+  return std::make_unique<TwinChip>(exact::LarsonXy(), Board(setup));
 }
 
 }  // namespace trammel::larson

@@ -29,6 +29,8 @@ inline constexpr cosim::Lines code(cosim::Lines drive, int axis) {
 }
 
 struct Pins {
+  static constexpr cosim::Lines kIdle = 0;
+
   template <class In>
   static void sense(In& in, cosim::Lines lines) {
     encoder_a.put(in.enc_a_i, lines);

@@ -26,8 +26,17 @@ void find_contour(const Options& options, Result& result);
 // beside its path and comes to rest at the end of it, or of its move, within run.reached_counts.
 std::string what_missed(const Options& options, const Result& result);
 
-// The table of a path. Throws host::ConfigError for one that cannot be followed.
+// Why a program gave up, "" if it did not.
+const char* what_failed(const sw::Mailbox& mailbox);
+
+// rules.cpp: the table of a path. Throws host::ConfigError for one that cannot be followed.
 Table table_of(const Options& options);
+void validate(lab::Settings& settings);
+std::vector<std::string> warnings(const lab::Settings& settings);
+
+// comparison.cpp: the same path at constant speeds.
+std::vector<lab::Companion> companions(const lab::Settings& settings);
+std::string run_name(const lab::Settings& settings);
 
 // detail_json.cpp: detail.json of a run that tracks (else null), its tables, and its page.
 nlohmann::ordered_json tracking_json(const lab::Record& record);

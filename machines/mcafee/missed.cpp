@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether the table did what the program was to make it do, by its true position.
+// Whether the table did what the program was to make it do, by its true position; and why the
+// program itself gave up.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,6 +55,22 @@ void find_contour(const Options& options, Result& result) {
         path.distance(path.at(0) + PointMm{s.axis[0].x_mm, s.axis[1].x_mm},
                       result.table.row_mm * s.row, kReachMm));
   }
+}
+
+const char* what_failed(const sw::Mailbox& mailbox) {
+  switch (static_cast<sw::McafeeFailure>(mailbox.failure)) {
+    case sw::McafeeFailure::kReset: return "a status after reset that the data sheet has not";
+    case sw::McafeeFailure::kBusy: return "a busy bit that did not clear";
+    case sw::McafeeFailure::kCommandError: return "a command error of a part";
+    case sw::McafeeFailure::kPositionError: return "a position error of a part";
+    case sw::McafeeFailure::kLimit: return "a limit switch";
+    case sw::McafeeFailure::kIndex: return "an index that is not a turn from the one before";
+    case sw::McafeeFailure::kLate:
+      return "a sample between the STT of both axes: the processor is too slow "
+             "(processor.access_clk, processor.interrupt_latency_clk)";
+    case sw::McafeeFailure::kNone: break;
+  }
+  return "";
 }
 
 std::string what_missed(const Options& options, const Result& result) {

@@ -14,6 +14,8 @@
 
 namespace trammel::mcafee {
 
+class StagePlant;
+
 struct AxisSample {
   lm628::Words words;
   bool host_irq = false;
@@ -31,6 +33,9 @@ struct Sample {
   std::uint32_t row = 0;  // rows begun
   unsigned v = 0;         // speed of the last of them, 0..255
 };
+
+// Of chip and plant, without the program's words.
+Sample sample_of(cosim::Clk edge, const McafeeChip& chip, const StagePlant& plant);
 
 // What happened to one axis.
 struct Event {

@@ -1,75 +1,120 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One run of the machine mcafee, ready to be driven by a wiring: chip, plant, firmware, loop and
-// record, and the decision when the run is over.
+// One run of the machine mcafee: what a sample records, and when the run is over.
 #pragma once
 
-#include <memory>
-#include <optional>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
-#include "machines/mcafee/record.hpp"
+#include "cosim/machine_session.hpp"
+#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/plant.hpp"
+#include "machines/mcafee/setup.hpp"
 #include "machines/mcafee/signals.hpp"
-#include "cosim/sampled_session.hpp"
+#include "machines/mcafee/twin.hpp"
 #include "parts/lm628/coast.hpp"
 
 namespace trammel::mcafee {
 
-// The stage of models/ behind the interface of cosim/.
-class StagePlant final : public cosim::FalliblePlant {
- public:
-  explicit StagePlant(const plant::XyStageConfig& config) : stage_(config) {}
-
-  const plant::XyStage& stage() const { return stage_; }
-  unsigned limits() const;
-
-  cosim::Lines sense() const override;
-  cosim::Clk next() const override { return stage_.next(); }
-  void commit(cosim::Clk n, cosim::Lines drive) override {
-    stage_.commit(n, {static_cast<unsigned>(code(drive, 0)),
-                      static_cast<unsigned>(code(drive, 1))});
-  }
-  int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
-  void open_phase(cosim::Clk n, int axis, int, bool open) override {
-    stage_.open(n, static_cast<std::size_t>(axis), open);
-  }
-  void supply(cosim::Clk n, double share) override { stage_.supply(n, share); }
-  std::optional<double> supplied(cosim::Clk n) const override {
-    return stage_.axis(0).supplied(n) + stage_.axis(1).supplied(n);
-  }
-
- private:
-  plant::XyStage stage_;
-};
-
-// What the program is told: the options in its own units, and the rows of a table that outlives it.
-sw::McafeeSetup setup_of(const Options& options, const Table& table);
-
-class Session final : public cosim::SampledSession {
+class Session final : public cosim::MachineSession<Options, StagePlant, McafeeChip, Result> {
  public:
   // Throws cosim::OptionsError or std::invalid_argument for a path that cannot be followed.
-  Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
+  Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {})
+      : MachineSession(
+            options, hooks, waves, 0, "mm",
+            [&run = options.run, &axis = options.stage_axis] {
+              return StagePlant({run.clocked(axis), run.clocked(axis)});
+            },
+            make_verilated_chip, make_twin_chip, options.clock_MHz),
+        table_(followed_table(options)),
+        app_(setup_of(options, table_)) {}
 
   sw::Firmware& firmware() override { return app_; }
-  std::vector<cosim::Place> places() const override;
-  std::unique_ptr<cosim::RunResult> result() override;
+  std::vector<cosim::Place> places() const override {
+    const cosim::Clk now = chip_->now();
+    const plant::XyStage& stage = plant_.stage();
+    return {{"x", "mm", 1e3 * stage.axis(0).position(now)},
+            {"y", "mm", 1e3 * stage.axis(1).position(now)}};
+  }
 
  private:
-  void sampled(cosim::Clk edge, bool recorded) override;
-  std::optional<cosim::EndReason> ending(cosim::Clk edge) override;
-  bool drives_off() const override;
-  std::string noticed() const override;
-  cosim::FaultTruth truth(cosim::Clk edge) const override;
-  std::int64_t read(std::size_t signal, int axis) const override;
-  Sample sample_at(cosim::Clk edge) const;
-  double progress() const override;
+  bool drives_off() const override { return chip_->drive() == codes(kZeroCode, kZeroCode); }
+  std::string noticed() const override { return what_failed(app_.mailbox()); }
+  cosim::FaultTruth truth(cosim::Clk edge) const override {
+    cosim::FaultTruth now;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
+      const plant::DcMotorState state = axis.state(edge);
+      now.at.push_back(1e3 * state.theta / axis.sensor().radians_per_m());
+      now.current_A = std::max(now.current_A, std::abs(state.i));
+    }
+    now.at_stop = plant_.limits() != 0;
+    return now;
+  }
+  std::int64_t read(std::size_t signal, int axis) const override {
+    const std::size_t own = lm628::signals().size();
+    if (signal < own) return lm628::word(chip_->words(axis), signal);
+    switch (static_cast<OwnSignal>(signal - own)) {
+      case OwnSignal::kRow: return rows();
+      case OwnSignal::kSpeed: return app_.mailbox().speed;
+      case OwnSignal::kLimits: return plant_.limits();
+    }
+    return 0;
+  }
+
+  Sample sample_at(cosim::Clk edge) const override {
+    Sample sample = sample_of(edge, *chip_, plant_);
+    sample.row = rows();
+    sample.v = app_.mailbox().speed;
+    return sample;
+  }
+  void mix(const Sample& sample) override {
+    for (const AxisSample& axis : sample.axis) {
+      hash_.mix(static_cast<std::uint64_t>(axis.words.position));
+      hash_.mix(static_cast<std::uint32_t>(axis.words.actual));
+    }
+  }
+  double progress() const override {
+    return share_done(options_, table_, app_.mailbox().point, chip_->words(0).actual);
+  }
+  std::optional<cosim::EndReason> ending(cosim::Clk) override {
+    constexpr double kAtRest_mm_s = 0.1;
+    const Sample& sample = samples_.back();
+    if (app_.mailbox().failure != 0) {
+      end_ = cosim::EndReason::kFault;  // also where the run ends before the way to rest does
+      const double speed = std::hypot(sample.axis[0].mm_s, sample.axis[1].mm_s);
+      if (options_.fault.any() && !coast_.over(speed < kAtRest_mm_s)) return {};
+      return end_;
+    }
+    for (const AxisSample& axis : sample.axis) {
+      if (std::abs(axis.words.error) > options_.diverged_counts) return cosim::EndReason::kDiverged;
+    }
+    if (app_.mailbox().done != 0) return cosim::EndReason::kDone;
+    return {};
+  }
+  std::unique_ptr<Result> result_now() const override {
+    auto result = std::make_unique<Result>();
+    const sw::Mailbox& mailbox = app_.mailbox();
+    result->fault = what_failed(mailbox);
+    if (options_.stage == sw::McafeeStage::kRead) result->readings = mailbox.point;
+    result->real = {mailbox.real[0], mailbox.real[1]};
+    result->table = table_;
+    return result;
+  }
+  void conclude(Result& result, bool) override {
+    if (end_ != cosim::EndReason::kDone && !result.samples.empty()) {  // it did not ask
+      const Sample& last = result.samples.back();
+      result.real = {last.axis[0].words.actual, last.axis[1].words.actual};
+    }
+    find_contour(options_, result);
+  }
+  std::string missed(const Result& result) const override { return what_missed(options_, result); }
+
   std::uint32_t rows() const { return options_.tracks() ? app_.mailbox().point : 0; }
 
-  Options options_;
   Table table_;
-  StagePlant plant_;
-  std::unique_ptr<McafeeChip> chip_;
   sw::McafeeApp app_;
-  host::DiskVector<Sample> samples_;
   lm628::Coast coast_;
 };
 

@@ -9,18 +9,15 @@
 
 #include "cosim/bus_twin.hpp"
 #include "parts/lm628/twin_words.hpp"
-#include "machines/mcafee/board.hpp"
 #include "machines/mcafee/chip.hpp"
 #include "models/exact/chips/mcafee_xy.hpp"
 
 namespace trammel::mcafee {
 
-class TwinChip : public cosim::BusTwin<McafeeChip, Board, Pins, exact::McafeeXy> {
+class TwinChip : public cosim::BusTwin<McafeeChip, cosim::ProcessorBus, Pins, exact::McafeeXy> {
  public:
   explicit TwinChip(int clock_MHz = kClockMHz)
-      : BusTwin(exact::McafeeXy(lm628::clock_of(clock_MHz))) {
-    reset();
-  }
+      : BusTwin(exact::McafeeXy(lm628::clock_of(clock_MHz))) {}
 
   const exact::Lm628& part(int axis) const { return twin_.part(static_cast<std::size_t>(axis)); }
 
@@ -28,7 +25,6 @@ class TwinChip : public cosim::BusTwin<McafeeChip, Board, Pins, exact::McafeeXy>
   bool host_irq(int axis) const override { return part(axis).out().hi; }
 
  private:
-  void put(const cosim::BusOp& op) override { twin_.request(op.addr, op.data, op.write); }
   bool publishes() const override { return part(0).commits(); }
 };
 

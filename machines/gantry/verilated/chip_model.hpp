@@ -20,21 +20,7 @@ class ChipModel : public cosim::BusChip<GantryChip, Board, Pins, Model, Tracer> 
   using OnBus::state_;
 
  public:
-  ChipModel(Tracer tracer, cosim::ModelMode mode, const ChipSetup& setup)
-      : OnBus(std::move(tracer), mode) {
-    static_cast<Board&>(state_) = Board(setup);
-    this->sense(cosim::Lines{1} << kRx);
-    model_->nv_ready_i = 1;
-    model_->adc_dout_i = 0;
-    model_->nv_data_i = state_.nv_word();
-    this->reset();
-    OnBus::drive_changed();
-  }
-
-  cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
-    plant_ = &plant;
-    return OnBus::run(end, plant);
-  }
+  using OnBus::OnBus;
 
   const Store& store() const override { return state_.store; }
   Words words() const override {
@@ -59,14 +45,6 @@ class ChipModel : public cosim::BusChip<GantryChip, Board, Pins, Model, Tracer> 
     const std::uint32_t sign = 1u << (bits - 1);
     return static_cast<std::int32_t>((word ^ sign) - sign);
   }
-
-  bool drive_changed() override {
-    const auto code = [this](int channel) { return plant_->sample(channel, state_.now - 1); };
-    if (state_.serve(*model_, *model_, code)) state_.dirty = true;
-    return OnBus::drive_changed();
-  }
-
-  const cosim::Plant* plant_ = nullptr;
 };
 
 }  // namespace trammel::gantry

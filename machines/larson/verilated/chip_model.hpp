@@ -20,13 +20,7 @@ class ChipModel : public cosim::BusChip<LarsonChip, Board, Pins, Model, Tracer> 
   using OnBus::state_;
 
  public:
-  ChipModel(Tracer tracer, cosim::ModelMode mode, const ChipSetup& setup)
-      : OnBus(std::move(tracer), mode) {
-    static_cast<Board&>(state_) = Board(setup);
-    this->sense(0);
-    this->reset();
-    this->drive_changed();
-  }
+  using OnBus::OnBus;
 
   std::uint32_t words(int axis) const override {
     return axis == 0 ? model_->rootp->larson_xy__DOT__x : model_->rootp->larson_xy__DOT__y;

@@ -5,23 +5,18 @@
 #pragma once
 
 #include "parts/lm628/verilated/words.hpp"
-#include "machines/mcafee/board.hpp"
 #include "machines/mcafee/chip.hpp"
 #include "cosim/verilated/bus_chip.hpp"
 
 namespace trammel::mcafee {
 
 template <class Model, class Tracer>
-class ChipModel : public cosim::BusChip<McafeeChip, Board, Pins, Model, Tracer> {
-  using OnBus = cosim::BusChip<McafeeChip, Board, Pins, Model, Tracer>;
+class ChipModel : public cosim::BusChip<McafeeChip, cosim::ProcessorBus, Pins, Model, Tracer> {
+  using OnBus = cosim::BusChip<McafeeChip, cosim::ProcessorBus, Pins, Model, Tracer>;
   using OnBus::model_;
 
  public:
-  ChipModel(Tracer tracer, cosim::ModelMode mode) : OnBus(std::move(tracer), mode) {
-    this->sense(0);
-    this->reset();
-    this->drive_changed();
-  }
+  using OnBus::OnBus;
 
   std::vector<cosim::DomainActivity> activity() const override {
     return model_.activity(lm628::kDomains);
