@@ -68,4 +68,11 @@ void add_precision(const Options& options, nlohmann::ordered_json& json) {
   for (const auto& [name, mean] : paper_means_mm(options)) json["paper"][name]["mean_mm"] = mean;
 }
 
+std::string controller_name(const lab::Settings& settings) {
+  const auto controller = static_cast<const Options&>(settings).controller;
+  return std::string(controller == Controller::kFc    ? "FC"
+                     : controller == Controller::kAfc ? "AFC"
+                                                      : "precision");
+}
+
 }  // namespace trammel::kung

@@ -23,4 +23,6 @@ void add_precision(const Options& options, nlohmann::ordered_json& json);
 // Errors of a run of the precision controller beside those of its companions, and of the paper.
 std::vector<std::string> comparison_lines(const lab::Record& record);
 
+std::string controller_name(const lab::Settings& settings);  // of a run among them
+
 }  // namespace trammel::kung

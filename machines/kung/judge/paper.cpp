@@ -242,6 +242,26 @@ void compare(const Options& options, std::vector<lab::Figure>& figures) {
   }
 }
 
+std::vector<lab::Experiment> experiments() {
+  std::vector<lab::Experiment> all;
+  for (const std::string scenario : {"step", "circle", "window", "star"}) {
+    for (const std::string controller : {"fc", "afc"}) {
+      all.push_back({scenario + '-' + controller, scenario, {"controller=" + controller}});
+    }
+  }
+  for (const std::string scenario : {"circle", "window", "star"}) {
+    all.push_back({scenario + "-precision", scenario, {"controller=precision"}});
+  }
+  for (const std::string path : {"step", "circle", "window", "star"}) {
+    for (const std::string controller : {"fc", "afc"}) {
+      const std::string scenario = kFittedPrefix + path;
+      all.push_back({scenario + '-' + controller, scenario, {"controller=" + controller},
+                     "paper.html"});
+    }
+  }
+  return all;
+}
+
 std::string experiments_text(const Records& records) {
   constexpr PathKind kPaths[] = {PathKind::kCircle, PathKind::kWindow, PathKind::kStar};
   constexpr std::pair<const char*, Controller> kControllers[] = {{"FC", Controller::kFc},

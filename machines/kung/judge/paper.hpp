@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/machine.hpp"
 #include "lab/record.hpp"
 #include "machines/kung/options.hpp"
 
@@ -39,6 +40,7 @@ std::vector<std::pair<std::string, double>> paper_means_mm(const Options& option
 // What must be said wherever Table 2 is shown (specification section 14.14).
 std::string circle_note(Reading reading);
 
+std::vector<lab::Experiment> experiments();
 std::string experiments_text(const std::vector<const lab::Record*>& records);
 
 }  // namespace trammel::kung

@@ -85,4 +85,14 @@ void add_cpu(const Options& options, const Result& result, nlohmann::ordered_jso
                        {"awake_clk", result.core_awake}};
 }
 
+std::unique_ptr<SocCore> core_of(const Options& options, const sw::KungSetup& setup) {
+  if (core_image().empty()) {
+    throw host::ToolMissing(
+        "run.cpu: \"rtl\" needs what was missing when this program was built: the core's RTL "
+        "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++; ./trammel run with --cpu "
+        "rtl installs both");
+  }
+  return make_core(core_memory(setup, true), options.run.audit);
+}
+
 }  // namespace trammel::kung

@@ -8,6 +8,7 @@
 
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/plan/feed.hpp"
+#include "machines/kung/precision/figures.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -103,6 +104,12 @@ std::string Followed::missed(std::uint32_t points, std::uint32_t size, const Poi
   return fmt::format("the table covered {:.2f} x {:.2f} mm of a path of {:.2f} x {:.2f} mm,{}",
                      covered_.width_m() * kMm, covered_.height_m() * kMm, path_.width_m() * kMm,
                      path_.height_m() * kMm, above);
+}
+
+std::uint32_t model_lag(const Options& options) {
+  const bool precise = options.controller == Controller::kPrecision;
+  const double lag_s = precise ? kSetPointDelayS : options.lag_s();
+  return static_cast<std::uint32_t>(std::lround(lag_s / options.chip.sample_s()));
 }
 
 }  // namespace trammel::kung

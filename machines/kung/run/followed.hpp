@@ -63,4 +63,8 @@ class Followed {
   PointM table_;
 };
 
+// Samples by which the table may lag behind a ramp: as the reference model of the slower axis, or
+// as the set point of the precision controller.
+std::uint32_t model_lag(const Options& options);
+
 }  // namespace trammel::kung

@@ -9,9 +9,10 @@
 #include "host/errors.hpp"
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/plan/feed.hpp"
-#include "machines/kung/plan/words.hpp"
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/precision/plan.hpp"
+#include "machines/kung/run/cpu.hpp"
+#include "machines/kung/run/failure.hpp"
 #include "machines/kung/run/response.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 
@@ -21,33 +22,6 @@ namespace {
 constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
 constexpr std::uint32_t kLongestStop = 2000;      // a table that pushes on does not come to rest
 constexpr double kAtRest_m_s = 1e-3;
-
-const char* check_text(const sw::Mailbox& mailbox) {
-  switch (static_cast<sw::Failure>(mailbox.failure)) {
-    case sw::Failure::kWrongChip: return "the chip's ID is not that of the register map";
-    case sw::Failure::kOutOfStroke: return "the path leaves the stroke";
-    case sw::Failure::kBusy: return "a busy bit did not clear";
-    case sw::Failure::kSensor:
-      return "a current sensor shows more than 1/8 of its range with the drives off";
-    case sw::Failure::kPreset: return "the position did not become the start point";
-    case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a position tick";
-    case sw::Failure::kFollowing:
-      return "the position is farther from its model than chip.following_error_m";
-    case sw::Failure::kDCurrent:
-      return "a measured d current is above chip.d_current_A, though its loop holds it at 0";
-    case sw::Failure::kFault: return "the chip interrupts for a fault that it does not name";
-    case sw::Failure::kNone: break;
-  }
-  return "";
-}
-
-// Samples by which the table may lag behind a ramp: as the reference model of the slower axis, or
-// as the set point of the precision controller.
-std::uint32_t model_lag(const Options& options) {
-  const bool precise = options.controller == Controller::kPrecision;
-  const double lag_s = precise ? kSetPointDelayS : options.lag_s();
-  return static_cast<std::uint32_t>(std::lround(lag_s / options.chip.sample_s()));
-}
 
 }  // namespace
 
@@ -69,7 +43,15 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   plant_ = std::make_unique<TablePlant>(options_.run.clocked(options_.plant));
   chip_ = make_chip();
   firmware_ = std::make_unique<StallableApp>(setup, *chip_, hung());
-  if (options_.cpu == Cpu::kRtl) make_core(setup);
+  if (options_.cpu == Cpu::kRtl) {
+    core_ = core_of(options_, setup);
+    core_->break_at(hung().begin);
+    if (!options_.uart.empty()) {
+      console_ = std::make_unique<SerialConsole>(options_.uart,
+                                                 [this] { return core_->listens(); });
+      core_->connect(console_->host());
+    }
+  }
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          options_.controller == Controller::kPrecision,
                                          [this](const Sample& sample) { return over(sample); });
@@ -101,20 +83,6 @@ std::unique_ptr<KungChip> Session::make_chip() {
   if (run.engine == Engine::kTwin) return make_twin_chip();
   if (waves_.search != nullptr) return make_watched_chip(*waves_.search, run.leap);
   return make_verilated_chip(run, waves_.window);
-}
-
-void Session::make_core(const sw::KungSetup& setup) {
-  if (core_image().empty()) {
-    throw host::ToolMissing(
-        "run.cpu: \"rtl\" needs what was missing when this program was built: the core's RTL "
-        "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++; ./trammel run with --cpu "
-        "rtl installs both");
-  }
-  core_ = kung::make_core(core_memory(setup, true), options_.run.audit);
-  core_->break_at(hung().begin);
-  if (options_.uart.empty()) return;
-  console_ = std::make_unique<SerialConsole>(options_.uart, [this] { return core_->listens(); });
-  core_->connect(console_->host());
 }
 
 const sw::Mailbox& Session::mailbox() const {
@@ -167,35 +135,6 @@ cosim::ProcessorTiming Session::timing() const {
   return timing;
 }
 
-// The move before the path goes far beyond its way: start values that the plant does not bear.
-bool Session::swings(const Sample& sample) {
-  if (options_.controller != Controller::kPrecision) return false;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double way = std::abs(sample.axis[k].x_true_m - options_.plant.axis[k].start_m);
-    if (way <= std::min(kFarthestSwing_m, options_.diverged_m)) continue;
-    end_ = EndReason::kDiverged;
-    result_.swing_m = way;
-    return true;
-  }
-  return false;
-}
-
-// Of the precision controller: what it takes for mass and error has a range.
-void Session::watch_limits(const Sample& sample) {
-  constexpr std::int32_t kMostError = (1 << 19) - 1;  // [count / 256]
-  if (options_.controller != Controller::kPrecision) return;
-  for (std::size_t a = 0; a < 2; ++a) {
-    const AxisSample& axis = sample.axis[a];
-    const bool on = axis.set_point != kNoSetPoint;
-    if (on && std::abs(axis.set_point - 256 * axis.x_p) > kMostError) ++result_.error_limited[a];
-    if (core_) continue;
-    const bool limited =
-        firmware_->mailbox().estimator(static_cast<std::uint32_t>(a)).at_limit();
-    mass_limited_[a] = limited ? mass_limited_[a] + 1 : 0;
-    result_.mass_limited[a] = std::max(result_.mass_limited[a], mass_limited_[a]);
-  }
-}
-
 bool Session::over(const Sample& sample) {
   if (waves_.found()) return true;
   if (chip_->broken_promise()) return true;
@@ -213,7 +152,14 @@ bool Session::over(const Sample& sample) {
     end_ = EndReason::kStopped;
     return true;
   }
-  if (mail.point == 0) return swings(sample);
+  const bool precise = options_.controller == Controller::kPrecision;
+  if (mail.point == 0) {
+    const double swing = precise ? swing_m(options_, sample) : 0;
+    if (swing == 0) return false;
+    end_ = EndReason::kDiverged;
+    result_.swing_m = swing;
+    return true;
+  }
   if (result_.points == 0) detail_->path_begins();
   result_.first_tick = mail.first_tick;
   result_.points = mail.point;
@@ -227,7 +173,7 @@ bool Session::over(const Sample& sample) {
       return true;
     }
   }
-  watch_limits(sample);
+  if (precise) limits_.on(sample, core_ ? nullptr : &firmware_->mailbox(), result_);
   if (sample.tick >= result_.first_tick && !options_.path.is_sweep()) {
     const PointM table{sample.axis[0].x_true_m, sample.axis[1].x_true_m};
     const double beside =

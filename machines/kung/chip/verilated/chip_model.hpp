@@ -29,7 +29,7 @@ class ChipModel : public KungChip, private ChipState {
     }
     model_->rst_i = 0;
     dirty_ = true;
-    remember_outputs();
+    remember_outputs(*model_);
   }
 
   cosim::Clk now() const override { return now_; }
@@ -50,9 +50,7 @@ class ChipModel : public KungChip, private ChipState {
     sensed_ = now_;
   }
 
-  void request(const cosim::BusOp& op) override {
-    bus_.request(*model_, op);
-  }
+  void request(const cosim::BusOp& op) override { bus_.request(*model_, op); }
 
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
     while (now_ < end) {
@@ -61,7 +59,9 @@ class ChipModel : public KungChip, private ChipState {
       const bool bus = bus_.active();
       if (bus) bus_.before_edge(*model_);
       const cosim::Clk clocks = bus ? 1 : std::min(model_.waiting(edge), end - edge);
-      auto& woken = wakes_[static_cast<std::size_t>(wake(edge, clocks))];
+      const Model& m = *model_;
+      const auto busy = [&m](int axis) { return probe_busy(*m.rootp, axis); };
+      auto& woken = wakes_[static_cast<std::size_t>(wake(m, edge, clocks, busy))];
       if (clocks > 1) {
         const cosim::Clk evaluated = model_.leap(edge, clocks);
         evaluated_ += evaluated;
@@ -78,8 +78,9 @@ class ChipModel : public KungChip, private ChipState {
         dirty_ = true;
         if (bus_.after_edge(*model_)) why |= cosim::kBusDone;
       }
-      serve_converters(edge, plant);
-      why |= changed_outputs();
+      const auto code = [&](int channel) { return plant.sample(channel, edge); };
+      if (converters_.serve(*model_, code)) dirty_ = true;
+      why |= changed_outputs(m);
       if (why != 0) return {edge, why};
     }
     return {now_ - 1, cosim::kLimit};
@@ -98,9 +99,7 @@ class ChipModel : public KungChip, private ChipState {
   std::int32_t rule(int axis, int index) const override {
     return probe_rule(*model_->rootp, axis, index);
   }
-  std::int32_t integral(int axis) const override {
-    return probe_integral(*model_->rootp, axis);
-  }
+  std::int32_t integral(int axis) const override { return probe_integral(*model_->rootp, axis); }
   Fault fault() const override { return probe_fault(*model_->rootp); }
   std::optional<cosim::BrokenPromise> broken_promise() const override {
     return model_.broken_promise();
@@ -111,7 +110,6 @@ class ChipModel : public KungChip, private ChipState {
   static constexpr std::array<const char*, 12> kDomains{
       "system", "position", "adc", "angle", "rotate", "pi", "svpwm",
       "sense_x", "sense_y", "gates_x", "gates_y", "precision"};
-  static constexpr cosim::Clk kEncoderSettles = 12;  // synchroniser, usual filters, decoder
 
   // Inputs start at random values like every other unset bit.
   void quiet_inputs() {
@@ -124,65 +122,6 @@ class ChipModel : public KungChip, private ChipState {
   void settle(cosim::Clk edge) {
     model_.settle(edge, dirty_ || bus_.active());
     dirty_ = false;
-  }
-
-  // Of the next edge, before it.
-  Wake wake(cosim::Clk edge, cosim::Clk clocks) {
-    const Model& m = *model_;
-    if (m.tick_o) position_ = true;
-    if (m.sample_o) position_ = false;
-    if (clocks > 1) return Wake::kLeap;
-    if (bus_.active()) return Wake::kBus;
-    if (m.tick_o) return Wake::kTick;
-    if (m.adc_cs_n_o != 3) return Wake::kConverter;
-    if (probe_busy(*m.rootp, 0) || probe_busy(*m.rootp, 1)) return Wake::kCurrent;
-    if (position_) return Wake::kPosition;
-    return edge - sensed_ < kEncoderSettles ? Wake::kEncoder : Wake::kGate;
-  }
-
-  void serve_converters(cosim::Clk edge, const cosim::Plant& plant) {
-    Model& m = *model_;
-    const unsigned cs = m.adc_cs_n_o;
-    const unsigned sclk = m.adc_sclk_o;
-    if (cs == cs_n_ && (sclk == sclk_)) return;
-    for (int axis = 0; axis < kAxes; ++axis) {
-      const unsigned bit = 1u << axis;
-      if ((cs_n_ & ~cs & bit) != 0) {
-        for (int phase = 0; phase < 2; ++phase) {
-          adc_[axis][phase].hold(plant.sample(adc_channel(axis, phase), edge));
-        }
-      } else if ((sclk_ & ~sclk & bit) != 0) {
-        for (auto& adc : adc_[axis]) adc.clock_fell();
-      }
-    }
-    cs_n_ = cs;
-    sclk_ = sclk;
-    put(m.adc_sdata_a_i, adc_[0][0].data() | (adc_[1][0].data() << 1));
-    put(m.adc_sdata_b_i, adc_[0][1].data() | (adc_[1][1].data() << 1));
-  }
-
-  void put(std::uint8_t& pin, unsigned value) {
-    if (pin == value) return;
-    pin = static_cast<std::uint8_t>(value);
-    dirty_ = true;
-  }
-
-  unsigned changed_outputs() {
-    const Model& m = *model_;
-    unsigned why = 0;
-    if (m.gate_hi_o != hi_ || m.gate_lo_o != lo_) why |= cosim::kDrive;
-    if (m.irq_o && !irq_) why |= cosim::kIrq;
-    if (tick_) why |= cosim::kTick;  // tick_o is high before the edge that acts on it
-    if (m.sample_o) why |= cosim::kSample;
-    remember_outputs();
-    return why;
-  }
-
-  void remember_outputs() {
-    hi_ = model_->gate_hi_o;
-    lo_ = model_->gate_lo_o;
-    irq_ = model_->irq_o;
-    tick_ = model_->tick_o;
   }
 
   cosim::ClockedModel<Model, Tracer> model_;
