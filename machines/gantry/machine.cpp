@@ -6,11 +6,6 @@
 namespace trammel::gantry {
 namespace {
 
-std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
-  return run.end == cosim::EndReason::kFault ? "failed: " + run.fault_text()
-                                             : lab::verdict_text(settings, run);
-}
-
 lab::Machine describe() {
   lab::Machine m;
   m.name = "gantry";
@@ -34,11 +29,6 @@ lab::Machine describe() {
 }
 
 }  // namespace
-
-const cosim::TriggerForms& triggers() {
-  static const cosim::TriggerForms forms = cosim::stop_forms(signals(), kTriggerHelp);
-  return forms;
-}
 
 const lab::Machine& machine() {
   static const lab::Machine description = describe();

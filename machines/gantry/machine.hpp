@@ -17,7 +17,6 @@ const lab::ColumnTable& columns();    // columns.cpp
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 std::vector<std::string> remarks(const lab::Record& record);
-const cosim::TriggerForms& triggers();  // machine.cpp
 
 // rules.cpp
 void validate(lab::Settings& settings);
@@ -28,6 +27,7 @@ std::vector<std::string> warnings(const lab::Settings& settings);  // what no ru
 const char* what_failed(const sw::GantryMailbox& mail);
 std::string what_noticed(const sw::GantryMailbox& mail, const Words& words);
 std::string what_missed(const Options& options, const Result& result);
+std::string verdict(const lab::Settings& settings, const cosim::RunResult& run);
 
 // What the non-volatile memory holds at power-on: data of an ideal sensor of amplitude 400.
 Store ideal_store();  // store.cpp

@@ -40,4 +40,9 @@ std::string what_missed(const Options& options, const Result& result) {
   return fmt::format("the cart is {:.2f} mm from its reference (run.reached_mm)", step.rest_mm);
 }
 
+std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
+  return run.end == cosim::EndReason::kFault ? "failed: " + run.fault_text()
+                                             : lab::verdict_text(settings, run);
+}
+
 }  // namespace trammel::gantry

@@ -28,4 +28,9 @@ inline constexpr char kTriggerHelp[] =
     "chip or the timer interrupts), at 10ms, rise|fall|change region, velocity > 20, each with "
     "`after TIME` behind it if wanted";
 
+inline const cosim::TriggerForms& triggers() {
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals(), kTriggerHelp);
+  return forms;
+}
+
 }  // namespace trammel::gantry

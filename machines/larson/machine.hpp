@@ -18,7 +18,6 @@ const lab::ColumnTable& columns();      // figures.cpp, as what follows
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 std::vector<std::string> remarks(const lab::Record& record);
-const cosim::TriggerForms& triggers();  // machine.cpp
 
 // published.cpp: Larson's own figures, beside those of the run and of its buffer.
 std::vector<lab::Figure> published_figures(const Options& options, const Result& result);

@@ -32,7 +32,7 @@ Sample sample_of(cosim::Clk edge, const LarsonChip& chip, const TablePlant& plan
   return sample;
 }
 
-void note_plant(Result& result, const TablePlant& plant) {
+void note_plant(Result& result, const TablePlant& plant, cosim::Clk end) {
   for (std::size_t k = 0; k < 2; ++k) {
     const plant::StepperAxis& axis = plant.axis(k);
     result.lost[k] = std::abs(axis.steps_lost());
@@ -40,6 +40,7 @@ void note_plant(Result& result, const TablePlant& plant) {
     result.breaches[k] = axis.breaches();
     result.moves[k] = axis.moves();
     result.peaks[k] = axis.peaks();
+    result.mean_current[k] = axis.mean_current(end);
   }
 }
 

@@ -93,8 +93,8 @@ struct Result : cosim::RunResult {
   unsigned stopped = 0;  // bit 0 X, bit 1 Y: by a switch, without a CALTBL behind it
 };
 
-// Losses, breaches and moves of the pulses up to now.
-void note_plant(Result& result, const TablePlant& plant);
+// Losses, breaches and moves of the pulses up to now, and means up to edge `end`.
+void note_plant(Result& result, const TablePlant& plant, cosim::Clk end);
 
 inline constexpr std::size_t kMostEvents = 5000;
 

@@ -114,11 +114,7 @@ class Session final : public cosim::MachineSession<Options, TablePlant, LarsonCh
     if (mailbox.failure != 0) result->fault = "CALTBL found no switch, or could not leave it";
     calls_.give(*result);
     events_.give(*result);
-    note_plant(*result, plant_);
-    for (std::size_t k = 0; k < 2; ++k) {
-      result->mean_current[k] =
-          plant_.axis(k).mean_current(looks_.empty() ? 0 : looks_.back().edge);
-    }
+    note_plant(*result, plant_, looks_.empty() ? 0 : looks_.back().edge);
     result->travel = travel_;
     result->end_at = last_at_;
     result->known = mailbox.known;

@@ -28,4 +28,9 @@ inline constexpr char kTriggerHelp[] =
     "interrupts), at 10ms, rise|fall|change x.waiting, y.count == 65535, each with `after TIME` "
     "behind it if wanted";
 
+inline const cosim::TriggerForms& triggers() {
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals(), kTriggerHelp);
+  return forms;
+}
+
 }  // namespace trammel::larson

@@ -36,11 +36,6 @@ lab::Machine describe() {
 
 }  // namespace
 
-const cosim::TriggerForms& triggers() {
-  static const cosim::TriggerForms forms = cosim::stop_forms(signals(), lm628::kTriggerHelp);
-  return forms;
-}
-
 const lab::Machine& machine() {
   static const lab::Machine description = describe();
   return description;

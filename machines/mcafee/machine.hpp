@@ -17,7 +17,6 @@ const std::vector<lab::Key>& keys();    // keys.cpp
 const lab::ColumnTable& columns();      // figures.cpp, as the next three
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
-const cosim::TriggerForms& triggers();  // machine.cpp
 
 // missed.cpp: finds the distance of the true table from its path in every sample, if it tracks.
 void find_contour(const Options& options, Result& result);

@@ -23,4 +23,9 @@ inline const std::vector<cosim::Signal>& signals() {
   return all;
 }
 
+inline const cosim::TriggerForms& triggers() {
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals(), lm628::kTriggerHelp);
+  return forms;
+}
+
 }  // namespace trammel::mcafee

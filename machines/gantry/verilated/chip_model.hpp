@@ -4,12 +4,9 @@
 // only by the unit that the build makes of it.
 #pragma once
 
-#include <cstdint>
-#include <utility>
-
 #include "cosim/verilated/bus_chip.hpp"
 #include "machines/gantry/board.hpp"
-#include "machines/gantry/chip.hpp"
+#include "machines/gantry/verilated/words.hpp"
 
 namespace trammel::gantry {
 
@@ -23,28 +20,7 @@ class ChipModel : public cosim::BusChip<GantryChip, Board, Pins, Model, Tracer> 
   using OnBus::OnBus;
 
   const Store& store() const override { return state_.store; }
-  Words words() const override {
-    const auto& r = *model_->rootp;
-    Words w;
-    w.position = static_cast<std::int32_t>(r.gantry_tau__DOT__position);
-    w.velocity = extended(r.gantry_tau__DOT__velocity, 23);
-    w.ticks = r.gantry_tau__DOT__ticks_q;
-    w.phase = r.gantry_tau__DOT__phase;
-    w.region = r.gantry_tau__DOT__region;
-    w.known = r.gantry_tau__DOT__known != 0;
-    w.force = {extended(r.gantry_tau__DOT__force_1, 11), extended(r.gantry_tau__DOT__force_2, 11)};
-    w.codes = {r.gantry_tau__DOT__a, r.gantry_tau__DOT__a_dot, r.gantry_tau__DOT__b,
-               r.gantry_tau__DOT__b_dot, r.gantry_tau__DOT__current};
-    w.malformed = r.gantry_tau__DOT__malformed;
-    w.lost = r.gantry_tau__DOT__lost;
-    return w;
-  }
-
- private:
-  static std::int32_t extended(std::uint32_t word, int bits) {
-    const std::uint32_t sign = 1u << (bits - 1);
-    return static_cast<std::int32_t>((word ^ sign) - sign);
-  }
+  Words words() const override { return words_of(*model_->rootp); }
 };
 
 }  // namespace trammel::gantry
