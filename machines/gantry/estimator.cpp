@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "lab/settings.hpp"
+#include "machines/gantry/track.hpp"
 #include "machines/gantry/units.hpp"
-#include "models/ideal/gantry_track.hpp"
 
 namespace trammel::gantry {
 namespace {
@@ -36,7 +36,7 @@ TrackModel read_model(const std::string& text) {
         text, why, kMostOrder));
   };
   if (text.empty()) {
-    const auto stored = ideal::gantry_track();
+    const auto stored = stored_track();
     m.phi.col(0).head<3>() = stored.phi.col(0);
     m.psi.head<3>() = stored.psi;
     return m;

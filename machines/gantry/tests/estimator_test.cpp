@@ -13,9 +13,9 @@
 #include "lab/record.hpp"
 #include "machines/gantry/machine.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
+#include "machines/gantry/track.hpp"
 #include "machines/gantry/units.hpp"
 #include "models/ideal/butterworth.hpp"
-#include "models/ideal/gantry_track.hpp"
 #include "models/ideal/identify.hpp"
 #include "models/plant/belt_axis.hpp"
 #include "tests/support/message.hpp"
@@ -202,7 +202,7 @@ TEST_CASE("gantry: a filter follows a constant velocity, sampled each 10 ms") {
 }
 
 TEST_CASE("gantry: a model is read as it is printed, the stored one where there is no text") {
-  const ideal::LinearModel<3> stored = ideal::gantry_track();
+  const ideal::LinearModel<3> stored = stored_track();
   const std::vector<double> a{stored.phi(0, 0), stored.phi(1, 0), stored.phi(2, 0)},
       b{stored.psi(0), stored.psi(1), stored.psi(2)};
   const TrackModel none = read_model(""), same = read_model(model_text(a, b));
@@ -270,7 +270,7 @@ TEST_CASE("gantry: of unlike motors each is the better one in its own sense") {
 
 TEST_CASE("the track's model is the one that its run identifies, and explains most of it") {
   const Run r = pseudo_random();
-  const ideal::LinearModel<3> made = ideal::identify<3>(r.u, r.v), kept = ideal::gantry_track();
+  const ideal::LinearModel<3> made = ideal::identify<3>(r.u, r.v), kept = stored_track();
   for (int n = 0; n < 3; ++n) {
     INFO("phi(" << n << ", 0) " << std::setprecision(9) << made.phi(n, 0) << ", psi(" << n << ") "
                 << made.psi(n));
@@ -346,7 +346,7 @@ TEST_CASE("Kalman: of a constant it is the mean, and its covariance falls as 1 /
 TEST_CASE("G-15 Kalman's error is at most Butterworth's on the same noisy run, its delay smaller") {
   const Run r = reversals();
   const std::vector<double> z = noisy(r.v);
-  const ideal::LinearModel<3> model = ideal::gantry_track();
+  const ideal::LinearModel<3> model = stored_track();
   // What the model leaves out is a force of the size of Coulomb friction.
   ideal::Kalman<3> kalman(model, 88.0 * 88.0 * model.psi * model.psi.transpose(), kNoise * kNoise);
   ideal::Butterworth butterworth(2, 5, 100);

@@ -3,8 +3,8 @@
 
 A name may stand in the machine's own folders, in rtl/ and models/, in generated files and in all
 that is not program text (pages, README, CHANGELOG). All other code finds machines by their folders.
-In rtl/ a file of a machine is in chips/ or boards/, and only its own code has its register map. In
-scripts/ no chip or board of a machine is named either.
+In rtl/ a file of a machine is in chips/ or boards/, in models/ in exact/chips/, and only its own
+code has its register map. In scripts/ no chip or board of a machine is named either.
 """
 
 import difflib
@@ -19,10 +19,11 @@ FREE = {"rtl", "models", "third_party"}
 COMPANIONS = ("machines/{0}/machine.cpp", "machines/{0}/README.md", "sw_nios/apps/{0}/{0}.hpp",
               "sw_nios/apps/{0}/{0}.cpp", "waves/{0}.toml")
 CHIPS = Path("rtl/chips")
+MODELS_OF_CHIPS = Path("models/exact/chips")
 SCRIPTS = "scripts"
 KINDS = {".rdl": "register map"}  # else a package or a block
 REGISTERS = re.compile(r'#include "rtl/chips/generated/(\w+)_regs\.hpp"')
-HAVE_REGISTERS = (("tests",), ("rtl", "chips", "generated"), ("models", "exact", "chips"))
+HAVE_REGISTERS = (("tests",), ("rtl", "chips", "generated"), MODELS_OF_CHIPS.parts)
 
 
 def machines_of(files):
@@ -69,7 +70,7 @@ def owner_of(stem, machines):
 
 
 def check_rooms(root, files, machines):
-    """Packages, blocks and register maps of a machine in what all of them share."""
+    """Packages, blocks, register maps and models of a machine in what all of them share."""
     for path in sorted(files):
         if path.parts[0] == "rtl" and path.suffix in (".sv", ".rdl") and len(path.parts) == 3:
             machine = owner_of(path.stem, machines)
@@ -78,6 +79,12 @@ def check_rooms(root, files, machines):
                                  "package" if path.stem.endswith("_pkg") else "block")
                 yield (f"{path}: a {kind} of the machine {machine} in a general folder; its place "
                        f"is {CHIPS}/")
+        if path.parts[0] == "models" and path.suffix in (".cpp", ".hpp") \
+                and path.parent != MODELS_OF_CHIPS:
+            machine = owner_of(path.stem, machines)
+            if machine:
+                yield (f"{path}: a model of the machine {machine} in a general folder; its place "
+                       f"is machines/{machine}/ or {MODELS_OF_CHIPS}/")
         if path.suffix in (".hpp", ".cpp") and not any(path.parts[:len(room)] == room
                                                        for room in HAVE_REGISTERS):
             for number, line in enumerate(read(root, path).split("\n"), 1):

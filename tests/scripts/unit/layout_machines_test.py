@@ -150,6 +150,13 @@ class NamesTest(Layout):
                                         "rtl/chips/winder_pwm.rdl": LICENCE,
                                         "rtl/pkg/rewinder_pkg.sv": package}), [])
 
+    def test_a_model_of_a_machine_is_in_its_folder_or_among_the_chips(self):
+        for path in ("models/ideal/winder_track.hpp", "models/plant/winder.cpp"):
+            self.finds(f"{path}: a model of the machine winder in a general folder; its place is "
+                       "machines/winder/ or models/exact/chips/", {path: LICENCE})
+        self.assertEqual(self.findings({"models/exact/chips/winder_pwm.hpp": LICENCE,
+                                        "models/ideal/rewinder.hpp": LICENCE}), [])
+
     def test_only_its_own_code_has_the_register_map_of_a_machine(self):
         use = LICENCE + '#include "rtl/chips/generated/winder_pwm_regs.hpp"\n'
         for path in ("lab/run.cpp", "models/plant/motor.hpp", "models/exact/drive/pwm.hpp"):
@@ -172,7 +179,7 @@ class NamesTest(Layout):
             "lab/machine.cpp": LICENCE + "// Winder 2012 eq. 3; rewinder; winder_pwm\n",
             "README.md": "winder\n", "CHANGELOG.md": "winder\n",
             "rtl/chips/generated/x.hpp": "// winder\n",
-            "models/plant/winder.hpp": LICENCE + "// of winder\n"}), [])
+            "models/plant/motor.hpp": LICENCE + "// of winder\n"}), [])
 
 
 class ContractTest(Layout):

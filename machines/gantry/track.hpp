@@ -7,14 +7,14 @@
 
 #include "models/ideal/kalman.hpp"
 
-namespace trammel::ideal {
+namespace trammel::gantry {
 
-inline LinearModel<3> gantry_track() {
-  LinearModel<3> m;
+inline ideal::LinearModel<3> stored_track() {
+  ideal::LinearModel<3> m;
   m.phi << 1.04261106, 1, 0, -0.265363574, 0, 1, 0.0426169088, 0, 0;
   m.psi << 0.110512024, -0.0319995673, -0.000526254781;
   m.c << 1, 0, 0;
   return m;
 }
 
-}  // namespace trammel::ideal
+}  // namespace trammel::gantry
