@@ -1,13 +1,14 @@
 # The verilated chips of machines and parts: a folder with verilated/ has a chip.cmake that names
 # its chip by trammel_chip(), which alone makes the models and what goes with them.
 
-# From rtl/chips/<chip>.sv: V<chip>_fast, for speed; V<chip>_fst, with an FST writer (5.006 builds
-# one format per model), which is evaluated only in windows of waves; and V<chip>_checked, with the
-# properties of all blocks, for `run --assert`, since they would double the cost of an evaluation.
-# These two are optimised less: they compile in a third of the time. It is integer code, so it alone
-# may use all instructions of this computer. Also the headers <chip>_registers.hpp and
-# <chip>_watched.hpp, the registers and inputs of the models for `run --audit` and waves, and
-# <chip>_traced.hpp, the signals that change in every clock of the waves.
+# From rtl/chips/<chip>.sv, or rtl/<chip>.sv in the calling folder: V<chip>_fast, for speed;
+# V<chip>_fst, with an FST writer (5.006 builds one format per model), which is evaluated only in
+# windows of waves; and V<chip>_checked, with the properties of all blocks, for `run --assert`,
+# since they would double the cost of an evaluation. These two are optimised less: they compile in
+# a third of the time. It is integer code, so it alone may use all instructions of this computer.
+# Also the headers <chip>_registers.hpp and <chip>_watched.hpp, the registers and inputs of the
+# models for `run --audit` and waves, and <chip>_traced.hpp, the signals that change in every
+# clock of the waves.
 #
 # The unit with make_verilated_chip() goes to the library chips_<folder>: it makes the fast model of
 # a plain run. The models of runs with waves, assertions or an audit are made by the objects
@@ -84,13 +85,18 @@ function(trammel_chip_model library chip kind opt)
   if(MODEL_TRACE_FST)
     set(trace TRACE_FST)
   endif()
+  set(source ${PROJECT_SOURCE_DIR}/rtl/chips/${chip}.sv)
+  set(search ${TRAMMEL_RTL_SEARCH})
+  if(EXISTS ${CHIP_FOLDER}/rtl)
+    set(source ${CHIP_FOLDER}/rtl/${chip}.sv)
+    list(APPEND search -I${CHIP_FOLDER}/rtl)
+  endif()
   set(parameters ${CHIP_PARAMETERS})
   list(TRANSFORM parameters PREPEND -G)
   trammel_verilate(${library} ${CHIP_MODEL}_${kind}
     "${opt};-march=${TRAMMEL_MARCH}" ${trace} TOP_MODULE ${chip} PREFIX V${CHIP_MODEL}_${kind}
-    SOURCES ${CHIP_VISIBLE} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/rtl/chips/${chip}.sv
-      ${MODEL_SOURCES}
-    VERILATOR_ARGS -Wno-fatal -O3 --x-assign fast --x-initial unique ${TRAMMEL_RTL_SEARCH}
+    SOURCES ${CHIP_VISIBLE} ${TRAMMEL_RTL_PACKAGES} ${source} ${MODEL_SOURCES}
+    VERILATOR_ARGS -Wno-fatal -O3 --x-assign fast --x-initial unique ${search}
       ${parameters} ${MODEL_ARGS})
 endfunction()
 
@@ -115,7 +121,9 @@ function(trammel_chip_models_of chip)
   trammel_chip_model(${fast} ${chip} fast
     "-O3;-fno-tree-pre;-fno-tree-slp-vectorize;-falign-functions=64")
   trammel_chip_model(${watched} ${chip} fst -Og TRACE_FST ARGS ${arrays})
-  trammel_chip_model(${watched} ${chip} checked -Og SOURCES ${TRAMMEL_RTL_PROPERTIES} ARGS --assert)
+  file(GLOB properties CONFIGURE_DEPENDS ${CHIP_FOLDER}/rtl/*_props.sv)
+  trammel_chip_model(${watched} ${chip} checked -Og
+    SOURCES ${TRAMMEL_RTL_PROPERTIES} ${properties} ARGS --assert)
   set(chip_models ${chip_models} ${fast} PARENT_SCOPE)
   set(watched_models ${watched_models} ${watched} PARENT_SCOPE)
 endfunction()

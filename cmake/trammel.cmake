@@ -267,6 +267,18 @@ function(trammel_coverage_test block source test prefix)
   set_tests_properties(coverage.${prefix} PROPERTIES TIMEOUT 600 FIXTURES_SETUP rtl_coverage)
 endfunction()
 
+# Lint test and proofs of the block <layer>/<block> in this folder.
+function(trammel_block_checks layer block folder)
+  set(prefix ${layer}.${block})
+  add_test(NAME lint.${prefix}
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool lint ${layer}/${block})
+  set_tests_properties(lint.${prefix} PROPERTIES SKIP_RETURN_CODE 77)
+  if(EXISTS ${folder}/${block}_props.sv)
+    trammel_evidence(formal.${prefix} ${PROJECT_SOURCE_DIR}/scripts/tool prove ${layer}/${block})
+    set_tests_properties(formal.${prefix} PROPERTIES TIMEOUT 600)
+  endif()
+endfunction()
+
 # rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, proofs, unit test.
 function(trammel_add_blocks)
   file(GLOB rtl CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/rtl/*/*.sv)
@@ -282,13 +294,7 @@ function(trammel_add_blocks)
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(GET folder FILENAME layer)
     set(prefix ${layer}.${block})
-    add_test(NAME lint.${prefix}
-      COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool lint ${layer}/${block})
-    set_tests_properties(lint.${prefix} PROPERTIES SKIP_RETURN_CODE 77)
-    if(EXISTS ${PROJECT_SOURCE_DIR}/rtl/${layer}/${block}_props.sv)
-      trammel_evidence(formal.${prefix} ${PROJECT_SOURCE_DIR}/scripts/tool prove ${layer}/${block})
-      set_tests_properties(formal.${prefix} PROPERTIES TIMEOUT 600)
-    endif()
+    trammel_block_checks(${layer} ${block} ${PROJECT_SOURCE_DIR}/rtl/${layer})
     if(EXISTS ${PROJECT_SOURCE_DIR}/rtl/${layer}/${block}_leap.toml)
       set(leap ${PROJECT_SOURCE_DIR}/scripts/tool prove --leap)
       trammel_evidence(formal.leap.${block} ${leap} ${layer}/${block})

@@ -69,8 +69,28 @@ std::unique_ptr<Settings> of_program(const Machine& machine, const fs::path& fil
 
 }  // namespace
 
+namespace {
+
+// Folders of machines: all in the data folder, and in examples/ beside it those with machine.cpp.
+std::vector<fs::path> machine_folders() {
+  std::vector<fs::path> all;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(data_folder(), ignored)) all.push_back(entry);
+  const fs::path examples = data_folder().parent_path() / "examples";
+  for (const auto& entry : fs::recursive_directory_iterator(examples, ignored)) {
+    if (entry.path().filename() == "machine.cpp") all.push_back(entry.path().parent_path());
+  }
+  return all;
+}
+
+}  // namespace
+
 fs::path machine_folder(const std::string& machine) {
-  return machine.empty() ? data_folder() : data_folder() / machine;
+  if (machine.empty()) return data_folder();
+  for (const fs::path& folder : machine_folders()) {
+    if (folder.filename() == machine) return folder;
+  }
+  return data_folder() / machine;
 }
 
 void take_data_from(const std::string& folder) { data_folder() = folder; }
@@ -102,8 +122,8 @@ const Machine& machine_of(const fs::path& file) {
 std::vector<fs::path> built_in(const std::string& extension) {
   std::vector<fs::path> all;
   std::error_code ignored;
-  for (const auto& machine : fs::directory_iterator(machine_folder(""), ignored)) {
-    for (const auto& entry : fs::directory_iterator(machine.path() / "scenarios", ignored)) {
+  for (const fs::path& machine : machine_folders()) {
+    for (const auto& entry : fs::directory_iterator(machine / "scenarios", ignored)) {
       if (entry.path().extension() == extension) all.push_back(entry.path());
     }
   }

@@ -14,7 +14,7 @@ namespace trammel::lab {
 
 // Where they are: share/trammel/machines beside the program's folder, or machines/ of the
 // repository this was built from, unless another folder with the same subfolders is named, before
-// the first run. "" is the folder of all machines.
+// the first run; examples/ beside that folder has machines too. "" is the folder of all others.
 std::filesystem::path machine_folder(const std::string& machine);
 void take_data_from(const std::string& folder);
 

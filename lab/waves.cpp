@@ -18,6 +18,7 @@
 #include "lab/build_info.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
+#include "lab/scenarios.hpp"
 #include "lab/view.hpp"
 
 namespace trammel::lab {
@@ -257,7 +258,9 @@ bool finish_waves(const Settings& settings, const RunResult& result, const fs::p
       file = fst;
     }
   }
-  const fs::path source = fs::path(kViewFolder) / (settings.machine().name + ".toml");
+  const std::string& name = settings.machine().name;
+  fs::path source = machine_folder(name) / "view.toml";
+  if (!fs::exists(source)) source = fs::path(kViewFolder) / (name + ".toml");
   Views views;
   try {
     views = make_views(settings, host::read_text(source), source.string(),

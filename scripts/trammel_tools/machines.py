@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The machines, found by their folders, and what their files tell the tools.
 
-A table of a tool may be in several files: the shared one and machines/<m>/NAME, parts/<p>/NAME.
+A table of a tool may be in several files: the shared one, NAME in the folder of a machine, and
+parts/<p>/NAME.
 """
 
 import importlib.util
@@ -9,7 +10,7 @@ import json
 import subprocess
 import tomllib
 
-from trammel_tools.paths import ROOT
+from trammel_tools.paths import ROOT, machine_folders
 
 
 class MachineError(Exception):
@@ -18,7 +19,10 @@ class MachineError(Exception):
 
 def folders():
     """Folder of each machine, by its name."""
-    return {path.parent.name: path.parent for path in sorted(ROOT.glob("machines/*/machine.cpp"))}
+    try:
+        return machine_folders(ROOT)
+    except ValueError as error:
+        raise MachineError(str(error)) from error
 
 
 def scenarios():
@@ -70,22 +74,24 @@ def merge(into, more, path):
 
 
 def tables(name, shared=None):
-    """The shared file and those of this name in machines/*/ and parts/*/ as one table."""
+    """The shared file and those of this name in folders of machines and parts as one table."""
     whole = {}
     for path in [*([shared] if shared else []),
-                 *sorted([*ROOT.glob(f"machines/*/{name}"), *ROOT.glob(f"parts/*/{name}")])]:
+                 *sorted([*(one / name for one in folders().values() if (one / name).exists()),
+                          *ROOT.glob(f"parts/*/{name}")])]:
         merge(whole, read(path), path)
     return whole
 
 
 def runs(name):
-    """machines/<m>/tests/runs.toml: what tests that all machines share run of this one."""
-    path = ROOT / "machines" / name / "tests" / "runs.toml"
-    return read(path) if path.exists() else {}
+    """tests/runs.toml of a machine: what tests that all machines share run of this one."""
+    folder = folders().get(name)
+    path = folder and folder / "tests" / "runs.toml"
+    return read(path) if path and path.exists() else {}
 
 
 def modules(name):
-    """{machine: module} of the files machines/<m>/tests/NAME.py."""
+    """{machine: module} of the files tests/NAME.py in folders of machines."""
     found = {}
     for machine, folder in folders().items():
         path = folder / "tests" / f"{name}.py"

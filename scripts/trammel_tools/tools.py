@@ -28,7 +28,8 @@ def every():
     """{name: module's file} of all tools."""
     return {path.stem.replace("_", "-"): path
             for path in sorted([*PACKAGE.glob("*/*.py"),
-                                *ROOT.glob("machines/*/tests/tools/*.py")],
+                                *ROOT.glob("machines/*/tests/tools/*.py"),
+                                *ROOT.glob("examples/**/tests/tools/*.py")],
                                key=lambda path: path.stem)
             if re.search(r"^def main\(", path.read_text(encoding="utf-8"), re.M)}
 

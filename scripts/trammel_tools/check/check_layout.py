@@ -24,7 +24,7 @@ import sys
 from pathlib import Path
 
 from trammel_tools.check import layout_links, layout_machines, layout_uses
-from trammel_tools.paths import ROOT
+from trammel_tools.paths import ROOT, block_of
 
 MIDDLE = {"sense", "drive", "control", "motion", "bus"}
 # Layer of rtl/ -> layers whose modules and packages it may use besides its own.
@@ -85,8 +85,17 @@ def check_form(root, path):
         yield f"{path}:1: no line SPDX-License-Identifier: Apache-2.0"
 
 
+def layer_of(path):
+    """The layer of an RTL file: a folder of rtl/, or chips for one in a machine of examples/;
+    "" of other files."""
+    if path.suffix == ".sv" and path.parts[0] == "rtl" and len(path.parts) == 3:
+        return path.parts[1]
+    own = path.suffix == ".sv" and path.parts[0] == "examples" and path.parent.name == "rtl"
+    return "chips" if own else ""
+
+
 def check_companions(root, files, plain, path):
-    layer, stem = path.parts[1], path.stem
+    layer, stem = layer_of(path), path.stem
     if stem.endswith("_props"):
         if path.with_name(stem.removesuffix("_props") + ".sv") not in files:
             yield f"{path}: properties of no block"
@@ -122,7 +131,7 @@ def check_page(root, path, files):
     if page not in files or path.stem.endswith(("_pkg", "_props")) or path.parts[1] == "boards":
         return
     text = (root / page).read_text(encoding="utf-8")
-    title = f"# {path.parts[1]}/{path.stem}"
+    title = f"# {block_of(path)}"
     if not text.startswith(f"{title}\n"):
         yield f"{page}:1: first line is not '{title}'"
     rows = re.findall(r"^\| (\w+) \|", text.partition("\n| |")[2].partition("\n\n")[0], re.M)
@@ -145,7 +154,7 @@ def ports(text):
 
 
 def check_rtl_uses(root, path, owner):
-    layer = path.parts[1]
+    layer = layer_of(path)
     allowed = RTL_USES.get(layer, set()) | {layer}
     text = (root / path).read_text(encoding="utf-8")
     for number, line in enumerate(text.split("\n"), 1):
@@ -172,7 +181,7 @@ def findings(root):
             continue
         if path.suffix in TEXT:
             yield from check_form(root, path)
-        if path.parts[0] == "rtl" and path.suffix == ".sv" and len(path.parts) == 3:
+        if layer_of(path):
             yield from check_companions(root, files, plain, path)
             yield from check_page(root, path, files)
             yield from check_rtl_uses(root, path, owner)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What makes a folder of machines/ a machine, and where its name may stand.
+"""What makes a folder of machines/ or examples/ a machine, and where its name may stand.
 
 A name may stand in the machine's own folders, in rtl/ and models/, in generated files and in all
 that is not program text (pages, README, CHANGELOG). All other code finds machines by their folders.
 In rtl/ a file of a machine is in chips/ or boards/, in models/ in exact/chips/, and only its own
-code has its register map. In scripts/ no chip or board of a machine is named either.
+code has its register map. In scripts/ no chip or board of a machine is named either. A machine of
+examples/ has all its files in its folder, its chip in rtl/ there and the view of its waves in
+view.toml.
 """
 
 import difflib
@@ -18,6 +20,7 @@ FREE = {"rtl", "models", "third_party"}
 # Companions of machines/<m>/, from the folder that holds machines/.
 COMPANIONS = ("machines/{0}/machine.cpp", "machines/{0}/README.md", "sw_nios/apps/{0}/{0}.hpp",
               "sw_nios/apps/{0}/{0}.cpp", "waves/{0}.toml")
+INSIDE = ("README.md", "view.toml")  # companions of a machine of examples/, in its folder
 CHIPS = Path("rtl/chips")
 MODELS_OF_CHIPS = Path("models/exact/chips")
 SCRIPTS = "scripts"
@@ -28,6 +31,12 @@ HAVE_REGISTERS = (("tests",), ("rtl", "chips", "generated"), MODELS_OF_CHIPS.par
 
 def machines_of(files):
     return sorted({p.parts[1] for p in files if p.parts[0] == "machines" and len(p.parts) > 2})
+
+
+def examples_of(files):
+    """{machine: folder} of those in examples/, which have a machine.cpp."""
+    return {p.parent.name: p.parent for p in sorted(files)
+            if p.parts[0] == "examples" and p.name == "machine.cpp"}
 
 
 def read(root, path):
@@ -94,9 +103,9 @@ def check_rooms(root, files, machines):
                     yield f"{path}:{number}: uses the register map of the machine {machine}"
 
 
-def chips_of(root, files, machine):
-    """Chips that the machine's chip.cmake names."""
-    path = Path("machines", machine, "chip.cmake")
+def chips_of(root, files, folder):
+    """Chips that the chip.cmake of a machine's folder names."""
+    path = folder / "chip.cmake"
     text = read(root, path) if path in files else ""
     return re.findall(r"^\s*trammel_chip\(\s*(\w+)", text, re.M)
 
@@ -109,9 +118,9 @@ def has_part(root, files, machine):
     return bool(used & files)
 
 
-def lacks(root, files, machine, what):
+def lacks(root, files, folder, what):
     """Whether machine.cpp says that the chip has no `leap` contract or no `twin`."""
-    path = Path("machines", machine, "machine.cpp")
+    path = folder / "machine.cpp"
     return path in files and re.search(rf"\bcan\.{what} = false;", read(root, path)) is not None
 
 
@@ -119,33 +128,38 @@ def can_leap(text):
     return re.search(r"\bleap_i\b", text) and re.search(r"\bquiescent_o\b", text)
 
 
+def chips_in(folder):
+    """Where the chip of a machine is."""
+    return CHIPS if folder.parts[0] == "machines" else folder / "rtl"
+
+
 def plain_chips(root, files):
     """Chips without the leap contract, whose machines say so."""
-    chips = {CHIPS / f"{chip}.sv" for machine in machines_of(files)
-             if lacks(root, files, machine, "leap") for chip in chips_of(root, files, machine)}
+    folders = [Path("machines", machine) for machine in machines_of(files)]
+    chips = {chips_in(folder) / f"{chip}.sv" for folder in [*folders, *examples_of(files).values()]
+             if lacks(root, files, folder, "leap") for chip in chips_of(root, files, folder)}
     return {path for path in chips & files if not can_leap(read(root, path))}
 
 
-def check_chips(root, files, machine):
-    folder = Path("machines", machine)
-    for chip in chips_of(root, files, machine):
-        path = CHIPS / f"{chip}.sv"
+def check_chips(root, files, folder):
+    for chip in chips_of(root, files, folder):
+        path = chips_in(folder) / f"{chip}.sv"
         if path not in files:
             yield f"{folder}/chip.cmake: there is no {path}"
             continue
-        if not lacks(root, files, machine, "leap") and not can_leap(read(root, path)):
+        if not lacks(root, files, folder, "leap") and not can_leap(read(root, path)):
             yield (f"{path}: has no ports leap_i and quiescent_o, and {folder}/machine.cpp does "
                    "not say `can.leap = false;`")
         twin = Path("models", "exact", "chips", f"{chip}.hpp")
-        if not lacks(root, files, machine, "twin") and twin not in files:
+        if not lacks(root, files, folder, "twin") and twin not in files:
             yield (f"{path}: companion {twin} is missing, and {folder}/machine.cpp does not say "
                    "`can.twin = false;`")
 
 
-def check_session(root, files, machine):
+def check_session(root, files, folder):
     """A session reads its firmware by the mailbox alone, so that a core can execute it."""
-    paths = [p for p in sorted(files) if p.parts[:2] == ("machines", machine)
-             and p.parts[2] != "tests" and p.stem == "session"]
+    paths = [p for p in sorted(files) if p.is_relative_to(folder)
+             and p.relative_to(folder).parts[0] != "tests" and p.stem == "session"]
     texts = {path: read(root, path) for path in paths}
     apps = {name for text in texts.values()
             for name in re.findall(r"^\s*(?:std::unique_ptr<)?(?:\w+::)*\w+App>? (\w+);", text,
@@ -164,15 +178,30 @@ def check_machine(root, files, machine):
     for companion in COMPANIONS:
         if Path(companion.format(machine)) not in files:
             yield f"{folder}/: companion {companion.format(machine)} is missing"
+    if folder / "chip.cmake" not in files and not has_part(root, files, machine):
+        yield f"{folder}/: neither {folder}/chip.cmake nor the chip of a part of parts/"
+    yield from check_folder(root, files, folder)
+
+
+def check_example(root, files, folder):
+    """Companions of a machine in examples/."""
+    for companion in INSIDE:
+        if folder / companion not in files:
+            yield f"{folder}/: companion {folder / companion} is missing"
+    if not chips_of(root, files, folder):
+        yield f"{folder}/: {folder}/chip.cmake names no chip"
+    yield from check_folder(root, files, folder)
+
+
+def check_folder(root, files, folder):
+    """What each machine has in its folder."""
     inside = [p.relative_to(folder) for p in files if p.is_relative_to(folder)]
     if not any(p.parts[0] == "scenarios" and p.suffix == ".toml" for p in inside):
         yield f"{folder}/: no scenario in {folder}/scenarios/"
     if not any(p.parts[0] == "tests" for p in inside):
         yield f"{folder}/: no test in {folder}/tests/"
-    if folder / "chip.cmake" not in files and not has_part(root, files, machine):
-        yield f"{folder}/: neither {folder}/chip.cmake nor the chip of a part of parts/"
-    yield from check_chips(root, files, machine)
-    yield from check_session(root, files, machine)
+    yield from check_chips(root, files, folder)
+    yield from check_session(root, files, folder)
 
 
 def check_strays(files, machines):
@@ -191,6 +220,10 @@ def check(root, files):
     machines = machines_of(files)
     for machine in machines:
         yield from check_machine(root, files, machine)
+    for folder in examples_of(files).values():
+        if folder.name in machines:
+            yield f"{folder}/: machines/{folder.name}/ is a machine of that name too"
+        yield from check_example(root, files, folder)
     yield from check_strays(files, machines)
     yield from check_names(root, files, machines)
     yield from check_rooms(root, files, machines)

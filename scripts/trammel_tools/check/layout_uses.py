@@ -49,6 +49,11 @@ def place_of(path):
         if inner == "tests":
             return "tests", [*own, *MACHINE, "testbench/", "tests/"]
         return f"{first}/{second}", [*own, *MACHINE, *(["testbench/"] * (inner == "verbs"))]
+    if first == "examples" and len(path.parts) > 2:  # a machine, whose firmware is there too
+        own = [f"examples/{second}/"]
+        if "tests" in path.parts:
+            return "tests", [*own, *MACHINE, "testbench/", "tests/"]
+        return f"{first}/{second}", [*own, *MACHINE, *(["testbench/"] * ("verbs" in path.parts))]
     if path.parts[:2] == ("sw_nios", "apps"):
         app = "/".join(path.parts[:3])
         return app, [*USES["sw_nios"], f"{app}/"]
@@ -66,7 +71,7 @@ def is_forbidden(path, folder, allowed, name):
     sees_models = folder == "tests" or path.parent.name == "verilated"
     if (VERILATED.fullmatch(name) or SIGNALS.fullmatch(name)) and not sees_models:
         return True
-    if SIGNALS.fullmatch(name) and path.parts[0] not in ("machines", "parts"):
+    if SIGNALS.fullmatch(name) and path.parts[0] not in ("machines", "examples", "parts"):
         return True
     return any(name.startswith(library) and not name.startswith(FOLDERS) and folder not in users
                for library, users in LIBRARIES.items())

@@ -18,7 +18,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
 from trammel_tools import python_tools
-from trammel_tools.paths import ROOT, RTL
+from trammel_tools.paths import ROOT, RTL, block_file
 from trammel_tools.rtl import lint
 
 BUILD = ROOT / "build"
@@ -89,7 +89,7 @@ def check_unit(block, test, built, begin):
 
 def check_proof(block):
     """Exit code of all that is proven of a block; the prover prints what it finds as it goes."""
-    source = RTL / f"{block}.sv"
+    source = block_file(block, ".sv")
     questions = []
     if source.with_name(f"{source.stem}_props.sv").exists():
         questions.append(("proof", []))

@@ -15,12 +15,13 @@ from trammel_tools.check.rooms import ROOMS
 from trammel_tools.evidence import sources
 from trammel_tools.evidence.sources import BUILD, matching
 from trammel_tools.mutation import mutant_tests
+from trammel_tools.paths import block_of
 from trammel_tools.python_tools import PYTHON
 from trammel_tools.synth import equivalence
 
 # Files of the repository.
 SHARED = (*(f"{room}/**" for room in ROOMS if room != "machines"), "third_party/**", *BUILD)
-CODE = *SHARED, "machines/**", "rtl/**.hpp"  # all of a run by the twin engine
+CODE = *SHARED, "machines/**", "examples/*/**", "rtl/**.hpp"  # all of a run by the twin engine
 PRODUCT = *CODE, "rtl/**"
 TESTS = ("tests/**",)
 # Tools: packages of .venv or of Debian, and programs.
@@ -102,18 +103,25 @@ def of_mutants(found):
             | matching("tests/support/mutant.cpp") | sources.tools(*VERIFY))
 
 
+def folder_of(machine):
+    """The folder of a machine, below the root; "" of other words."""
+    found = matching(f"machines/{machine}/machine.cpp", f"examples/{machine}/machine.cpp",
+                     f"examples/**/{machine}/machine.cpp")
+    return min(found, default="").removesuffix("/machine.cpp")
+
+
 def code_of(machine):
     """C++ of the program of one machine, and the views of its waves."""
-    return matching(*SHARED, f"machines/{machine}/**", "rtl/**.hpp", "docs/waves.md", "waves/**",
+    return matching(*SHARED, f"{folder_of(machine)}/**", "rtl/**.hpp", "docs/waves.md", "waves/**",
                     "tests/support/**")
 
 
 def of_program(machine):
     """Of the program of one machine and its chips, with the views of their waves."""
-    own = f"machines/{machine}"
+    own = folder_of(machine)
     named = sources.names_in(*matching(f"{own}/chip.cmake", "parts/*/chip.cmake"))
     files = [sources.modules()[name] for name in named]
-    chips = [name[4:-3] for name in files if name.startswith("rtl/chips/")]
+    chips = [block_of(Path(name)) for name in files if name.startswith(("rtl/chips/", f"{own}/"))]
     return code_of(machine) | matching("rtl/boards/**") | sources.rtl(*chips)
 
 
@@ -128,8 +136,8 @@ def of_sanitized(found):
     with the values of a model in C++."""
     group = found[1]
     tests = matching(f"tests/{group}/**")
-    if matching(f"machines/{group}/machine.cpp"):
-        files = code_of(group) | sources.cpp(*matching(f"machines/{group}/tests/**.cpp"))
+    if own := folder_of(group):
+        files = code_of(group) | sources.cpp(*matching(f"{own}/tests/**.cpp"))
     elif group in ("lab", "testbench"):
         files = matching(*CODE, "rtl/**.hpp", f"tests/{group}/**", "tests/support/**",
                          "tests/goldens/**", "waves/**")
@@ -164,7 +172,7 @@ def of_mapped(found):
 
 def of_long(found):
     """Of a million bytes at one machine, or at all that there is."""
-    if not matching(f"machines/{found[1]}/machine.cpp"):
+    if not folder_of(found[1]):
         return files_of(*PRODUCT, *TESTS, tools=("rtl",))
     return of_program(found[1]) | matching(*TESTS)
 

@@ -74,7 +74,7 @@ def imported(name):
 @functools.cache
 def modules():
     """{name: file} of the modules and packages in rtl/."""
-    return {Path(name).stem: name for name in matching("rtl/**.sv")
+    return {Path(name).stem: name for name in matching("rtl/**.sv", "examples/**/rtl/*.sv")
             if not name.endswith("_props.sv")}
 
 
@@ -104,9 +104,14 @@ def instances(files):
 def rtl(*blocks):
     """Sources of these blocks (<layer>/<block>), of all that they contain and of the packages that
     these import."""
-    first = {f"rtl/{block}.sv" for block in blocks}
-    if missing := first - set(every()):
-        raise KeyError(*missing)
+    first = set()
+    for block in blocks:
+        layer, _, stem = block.partition("/")
+        own = f"{layer}/rtl/{stem}.sv"  # in the folder of a machine in examples/
+        found = matching(f"rtl/{block}.sv", f"examples/{own}", f"examples/**/{own}")
+        if not found:
+            raise KeyError(f"rtl/{block}.sv")
+        first |= found
     return instances(first)
 
 

@@ -9,7 +9,7 @@ Leaps are those that math/timer permits: while quiescent, by less than next_o.
 import re
 
 from trammel_tools.mutation import mutant_pair, mutants
-from trammel_tools.paths import RTL
+from trammel_tools.paths import RTL, block_file
 from trammel_tools.proof import abc, formal, properties
 from trammel_tools.rtl import yosys
 
@@ -111,7 +111,7 @@ def compare(block, number, limit):
 
 def refuted_by(block, number, limit):
     """Label of a promise that the mutant breaks; None when there is none."""
-    source = RTL / f"{block}.sv"
+    source = block_file(block, ".sv")
     if not source.with_name(f"{source.stem}_props.sv").exists():
         return None
     props = properties.read(block)

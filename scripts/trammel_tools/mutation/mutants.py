@@ -10,7 +10,7 @@ import hashlib
 import re
 from dataclasses import dataclass
 
-from trammel_tools.paths import ROOT, RTL
+from trammel_tools.paths import ROOT, block_file
 from trammel_tools.rtl import yosys
 
 OUT = ROOT / "build" / "mutants"
@@ -72,7 +72,7 @@ def folder_of(block):
 
 def source_hash(block):
     """Of what decides which mutants there are: the text without comments and spacing."""
-    text = (RTL / f"{block}.sv").read_text(encoding="utf-8")
+    text = block_file(block, ".sv").read_text(encoding="utf-8")
     code = " ".join(re.sub(r"//.*", "", text).split())
     return hashlib.sha256(code.encode()).hexdigest()[:16]
 

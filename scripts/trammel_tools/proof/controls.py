@@ -14,7 +14,7 @@ sources, the constant for its own expression, and `next` for what the register w
 import re
 from dataclasses import dataclass
 
-from trammel_tools.paths import ROOT, RTL
+from trammel_tools.paths import ROOT, RTL, rtl_files
 from trammel_tools.rtl import rewire
 
 PORT = "logic [2047:0]"  # wider than any port that a control changes
@@ -37,7 +37,7 @@ class Control:
 
     def changed(self):
         """({the module's file: its text instead}, lines of the Yosys script behind the reading)"""
-        found = list(RTL.rglob(f"{self.module}.sv"))
+        found = rtl_files(f"{self.module}.sv") or list(RTL.rglob(f"{self.module}.sv"))
         if not found:
             raise ControlError(f"there is no module {self.module} in rtl/")
         path, text = found[0], found[0].read_text(encoding="utf-8")

@@ -5,7 +5,7 @@ sentence of each promise on the block's page."""
 import re
 from dataclasses import dataclass, field
 
-from trammel_tools.paths import RTL
+from trammel_tools.paths import ROOT, block_file, block_of, rtl_files
 from trammel_tools.proof import controls
 from trammel_tools.proof.controls import Control
 
@@ -36,7 +36,7 @@ class Properties:
 
     @property
     def path(self):
-        return RTL / f"{self.block}_props.sv"
+        return block_file(self.block, "_props.sv")
 
     @property
     def asserts(self):
@@ -45,14 +45,13 @@ class Properties:
 
 def blocks():
     """Every block that has a properties file."""
-    return sorted(f"{p.parent.name}/{p.stem.removesuffix('_props')}"
-                  for p in RTL.glob("*/*_props.sv"))
+    return sorted(block_of(p).removesuffix("_props") for p in rtl_files("*_props.sv"))
 
 
 def read(block):
     """Labels, negative controls and options of rtl/<block>_props.sv."""
     props = Properties(block)
-    where = f"rtl/{block}_props.sv"
+    where = props.path.relative_to(ROOT)
     text = props.path.read_text(encoding="utf-8")
     code = "\n".join(line.split("//")[0] for line in text.split("\n"))
     read_labels(props, code, where)
@@ -121,7 +120,7 @@ def read_option(props, text, where):
 
 def sentences(block):
     """{promise: sentence} of the list under `## Promises` on the block's page."""
-    page = (RTL / f"{block}.md").read_text(encoding="utf-8")
+    page = block_file(block, ".md").read_text(encoding="utf-8")
     _, _, after = page.partition("\n## Promises\n")
     section = after.split("\n## ")[0]
     items = re.findall(r"^[-*] `(\w+)`\s*[:=]\s*(.+(?:\n  .+)*)", section, re.M)

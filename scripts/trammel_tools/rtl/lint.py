@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 from trammel_tools import python_tools
-from trammel_tools.paths import ROOT, RTL
+from trammel_tools.paths import ROOT, RTL, block_file, block_of, rtl_files, rtl_search
 from trammel_tools.rtl import hierarchy
 
 GENERATED = RTL / "chips" / "generated"
@@ -24,9 +24,9 @@ SKIPPED = 77
 
 def blocks():
     """Own blocks; packages are linted with the blocks that use them, boards are exempt."""
-    for source in sorted(RTL.glob("*/*.sv")):
-        if source.parent.name != "boards" and not source.stem.endswith(("_pkg", "_props")):
-            yield f"{source.parent.name}/{source.stem}"
+    for source in rtl_files("*.sv"):
+        if not source.stem.endswith(("_pkg", "_props")):
+            yield block_of(source)
 
 
 def packages():
@@ -48,8 +48,7 @@ def cores():
 
 def needs_core(block):
     """Whether the block contains a core."""
-    own = [p for p in RTL.glob("*/*.sv") if p.parent.name != "boards"]
-    texts = hierarchy.modules(block.split("/")[1], own)
+    texts = hierarchy.modules(block.split("/")[1], rtl_files("*.sv"))
     return any(re.search(r"^\s*picorv32\s+#", text, re.M) for text in texts.values())
 
 
@@ -61,20 +60,17 @@ def run(command):
 
 
 def lint_verilator(block):
-    source = RTL / f"{block}.sv"
-    search = [f"-I{d}" for d in sorted(RTL.iterdir()) if d.is_dir() and d.name != "boards"]
-    props = source.with_name(f"{source.stem}_props.sv")
+    source, props = block_file(block, ".sv"), block_file(block, "_props.sv")
     # Behind the waivers, which do not reach back; with a time scale, because they have one.
     more = [*map(str, cores()), "--timescale", "1ns/1ps"] if needs_core(block) else []
-    return run(["verilator", "--lint-only", "-Wall", "--assert", *search, f"-I{GENERATED}",
+    return run(["verilator", "--lint-only", "-Wall", "--assert", *rtl_search(), f"-I{GENERATED}",
                 "--top-module", source.stem, str(WAIVERS), *more, *map(str, packages()),
                 str(source),
                 *([str(props)] if props.exists() else [])])
 
 
 def lint_verible(verible, block):
-    stem = RTL / block
-    own = [stem.with_suffix(".sv"), stem.with_name(f"{stem.name}_props.sv")]
+    own = [block_file(block, ending) for ending in (".sv", "_props.sv")]
     own += [p for p in packages() if p.parent != GENERATED]
     return run([verible, *(str(p) for p in own if p.exists())])
 
@@ -85,7 +81,7 @@ def main():
         return 0
     wanted = sys.argv[1:] or list(blocks())
     for block in wanted:
-        if not os.path.exists(RTL / f"{block}.sv"):  # Path's raises at one too long
+        if not os.path.exists(block_file(block, ".sv")):  # Path's raises at one too long
             return python_tools.refuse("lint", f"rtl/{block}.sv: no such block")
     if shutil.which("verilator") is None:
         print("lint: verilator is missing (trammel doctor)", file=sys.stderr)

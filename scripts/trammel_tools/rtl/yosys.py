@@ -4,7 +4,7 @@
 import subprocess
 import sys
 
-from trammel_tools.paths import ROOT, RTL
+from trammel_tools.paths import ROOT, block_file
 from trammel_tools.rtl import lint
 
 PACKAGES = ROOT / "scripts"
@@ -17,7 +17,7 @@ class YosysError(Exception):
 def design():
     """Every module, packages first; slang takes what the top needs."""
     generated = sorted(p for p in lint.GENERATED.glob("*.sv") if not p.stem.endswith("_pkg"))
-    return [*lint.packages(), *(RTL / f"{block}.sv" for block in lint.blocks()), *generated]
+    return [*lint.packages(), *(block_file(block, ".sv") for block in lint.blocks()), *generated]
 
 
 def run(folder, names):

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 from trammel_tools import output_file
-from trammel_tools.paths import RTL
+from trammel_tools.paths import RTL, block_file
 from trammel_tools.rtl import lint
 
 # What the leap contract adds; a board ties the input to 0 and leaves the outputs open.
@@ -55,7 +55,7 @@ DEVICES = (ECP5, ICE40)
 def sources():
     """All sources, packages first; a path is what Yosys' messages and cell attributes show."""
     found = [*lint.packages(), *sorted(RTL.glob("chips/generated/*_regs.sv"))]
-    found += [RTL / f"{block}.sv" for block in lint.blocks()]
+    found += [block_file(block, ".sv") for block in lint.blocks()]
     return found + sorted(RTL.glob("boards/*/*.sv")) + lint.cores()
 
 

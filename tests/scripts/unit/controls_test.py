@@ -2,6 +2,7 @@
 """What a negative control makes of the text of a module."""
 
 from scratch import Scratch
+from trammel_tools import paths
 from trammel_tools.proof import controls
 
 MODULE = """module toy (input logic clk_i, output logic [3:0] count_o);
@@ -16,6 +17,7 @@ endmodule
 class ControlsTest(Scratch):
     def setUp(self):
         super().setUp()
+        self.patch(paths, RTL=self.folder, ROOT=self.folder)
         self.patch(controls, RTL=self.folder, ROOT=self.folder)
         self.write("math/toy.sv", MODULE)
 

@@ -2,6 +2,7 @@
 """Several broken designs in one model: what each of them becomes."""
 
 from scratch import Scratch
+from trammel_tools import paths
 from trammel_tools.proof import aiger, controls, joined, leap_model, miter
 from trammel_tools.proof.properties import PropertiesError
 
@@ -25,6 +26,7 @@ TOP = {"ports": {"a_i": {"bits": [2]}, "y_o": {"bits": [9]}, "u_x.trammel_seen0"
 class JoinedTest(Scratch):
     def setUp(self):
         super().setUp()
+        self.patch(paths, RTL=self.folder, ROOT=self.folder)
         self.patch(controls, RTL=self.folder, ROOT=self.folder)
         self.path = self.write("math/toy.sv", MODULE)
         self.patch(leap_model, make=self.make, made_parts=lambda *_: (MODEL, INPUTS, WORDS, {}))

@@ -4,12 +4,14 @@
 from unittest import mock
 
 from scratch import Scratch, call
+from trammel_tools import paths
 from trammel_tools.rtl import lint
 
 
 class LintTest(Scratch):
     def setUp(self):
         super().setUp()
+        self.patch(paths, RTL=self.folder / "rtl", ROOT=self.folder)
         self.patch(lint, RTL=self.folder / "rtl",
                    GENERATED=self.folder / "rtl" / "chips" / "generated")
         for path in ("math/timer.sv", "math/timer_props.sv", "math/a_pkg.sv", "pkg/z_pkg.sv",

@@ -23,6 +23,16 @@ class MachinesTest(Scratch):
         self.assertEqual(list(machines.folders()), ["saw", "winder"])
         self.assertEqual(machines.scenarios(), {"saw-cut": "saw", "spin": "winder"})
 
+    def test_a_machine_may_be_anywhere_in_examples_but_has_a_name_of_its_own(self):
+        self.write("examples/drives/spindle/machine.cpp", "")
+        self.write("examples/drives/spindle/scenarios/turn.toml", "")
+        self.assertEqual(machines.folders()["spindle"], self.folder / "examples/drives/spindle")
+        self.assertEqual(machines.scenarios(), {"turn": "spindle"})
+        self.write("examples/saw/machine.cpp", "")
+        with self.assertRaisesRegex(machines.MachineError,
+                                    "machines/saw/machine.cpp: examples/saw/ is a machine of that"):
+            machines.folders()
+
     def test_tables_of_all_files_are_one(self):
         shared = self.write("scripts/floors.toml", "[toggles]\ndefault = 95\n[[list]]\nfile = 1\n")
         self.write("machines/saw/floors.toml", "[toggles]\nsaw = 9\n[[list]]\nfile = 2\n")

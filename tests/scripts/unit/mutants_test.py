@@ -4,6 +4,7 @@
 from unittest import mock
 
 from scratch import Scratch, call
+from trammel_tools import paths
 from trammel_tools.mutation import mutant_floors, mutant_proofs, mutant_tests, mutants, verify
 
 SOURCE = """module toy (input logic clk_i);
@@ -36,7 +37,8 @@ def mutation(port, bit=0, mode="inv", cell="$add1", wire="\\y_o"):
 class MutantsTest(Scratch):
     def setUp(self):
         super().setUp()
-        self.patch(mutants, OUT=self.folder, RTL=self.folder / "rtl", ROOT=self.folder)
+        self.patch(paths, RTL=self.folder / "rtl", ROOT=self.folder)
+        self.patch(mutants, OUT=self.folder, ROOT=self.folder)
         self.write("rtl/math/toy.sv", SOURCE)
 
     def make(self, listed, **how):

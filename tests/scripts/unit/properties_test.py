@@ -2,6 +2,7 @@
 """What a properties file and a page say, and what is refused in them."""
 
 from scratch import Scratch, call
+from trammel_tools import paths
 from trammel_tools.proof import promise_table, properties
 
 GOOD = """module toy_props (input logic clk_i);
@@ -36,7 +37,8 @@ PAGE = """# math/toy
 class PropertiesTest(Scratch):
     def setUp(self):
         super().setUp()
-        self.patch(properties, RTL=self.folder)
+        self.patch(paths, RTL=self.folder, ROOT=self.folder)
+        self.patch(properties, ROOT=self.folder)
 
     def read(self, text):
         self.write("math/toy_props.sv", text)

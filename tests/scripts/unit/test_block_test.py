@@ -4,6 +4,7 @@
 from unittest import mock
 
 from scratch import Scratch, call
+from trammel_tools import paths
 from trammel_tools.check import test_block
 from trammel_tools.rtl import lint
 
@@ -13,6 +14,7 @@ class TestBlockTest(Scratch):
         super().setUp()
         rtl = self.folder / "rtl"
         self.patch(test_block, ROOT=self.folder, RTL=rtl, BUILD=self.folder / "build")
+        self.patch(paths, RTL=rtl, ROOT=self.folder)
         self.patch(lint, RTL=rtl, GENERATED=rtl / "chips" / "generated")
         for path in ("rtl/drive/pwm.sv", "rtl/drive/pwm_props.sv", "tests/drive/pwm_test.cpp",
                      "rtl/chips/top.sv", "rtl/chips/top_props.sv", "rtl/chips/top_leap.toml",
