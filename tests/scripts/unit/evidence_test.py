@@ -333,8 +333,8 @@ class SourcesTest(Scratch):
                               and one.startswith(("lab/", "machines/"))], [], name)
 
     def test_sanitized_tests_depend_on_models_and_not_on_rtl(self):
-        for group, model in (("drive", "models/exact/drive/"),
-                             *((name, f"machines/{name}/") for name in machines.folders())):
+        own = {name: f"{folder.relative_to(ROOT)}/" for name, folder in machines.folders().items()}
+        for group, model in {"drive": "models/exact/drive/", **own}.items():
             kind, found = kinds.of(f"sanitize.{group}")
             files = kind.files(found)
             self.assertEqual([one for one in files if one.startswith("rtl/") and
