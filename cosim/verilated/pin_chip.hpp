@@ -22,6 +22,8 @@ namespace trammel::cosim {
 template <class Pins, class Model, class Tracer>
 class PinChip : public HostedChip<PinnedChip, PinBoard, Model, Tracer> {
   using Hosted = HostedChip<PinnedChip, PinBoard, Model, Tracer>;
+
+ protected:
   using Hosted::model_;
   using Hosted::state_;
 
