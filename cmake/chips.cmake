@@ -6,7 +6,7 @@
 # windows of waves; and V<chip>_checked, with the properties of all blocks, for `run --assert`,
 # since they would double the cost of an evaluation. These two are optimised less: they compile in
 # a third of the time. It is integer code, so it alone may use all instructions of this computer.
-# Also the headers <chip>_registers.hpp and <chip>_watched.hpp, the registers and inputs of the
+# Also the headers <chip>_state.hpp and <chip>_watched.hpp, the registers and inputs of the
 # models for `run --audit` and waves, and <chip>_traced.hpp, the signals that change in every
 # clock of the waves.
 #
@@ -130,8 +130,8 @@ endfunction()
 
 function(trammel_chip_headers_of chip)
   set(stem ${registers}/${CHIP_STEM})
-  set(chip_headers ${chip_headers} ${stem}_registers.hpp PARENT_SCOPE)
-  set(watched_headers ${watched_headers} ${stem}_registers.hpp ${stem}_watched.hpp
+  set(chip_headers ${chip_headers} ${stem}_state.hpp PARENT_SCOPE)
+  set(watched_headers ${watched_headers} ${stem}_state.hpp ${stem}_watched.hpp
     ${stem}_traced.hpp PARENT_SCOPE)
   if(TRAMMEL_BASE)
     return()
@@ -142,8 +142,8 @@ function(trammel_chip_headers_of chip)
   endforeach()
   set(generate ${PROJECT_SOURCE_DIR}/scripts/trammel_tools/generate)
   set(traced ${models}/${CHIP_MODEL}_fst/V${CHIP_MODEL}_fst__Trace__0.cpp)
-  trammel_gen_registers(${stem}_registers.hpp ${fast})
-  trammel_gen_registers(${stem}_watched.hpp ${fast} ${fst} ${checked})
+  trammel_gen_model_state(${stem}_state.hpp ${fast})
+  trammel_gen_model_state(${stem}_watched.hpp ${fast} ${fst} ${checked})
   add_custom_command(OUTPUT ${stem}_traced.hpp
     COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-wave-timers ${traced} ${stem}_traced.hpp
     DEPENDS ${generate}/gen_wave_timers.py ${traced})
@@ -154,12 +154,12 @@ macro(trammel_with_part part)
   list(APPEND folder_parts ${part})
 endmacro()
 
-# The header that scripts/tool gen-registers writes of these roots of models.
-function(trammel_gen_registers header)
+# The header that scripts/tool gen-model-state writes of these roots of models.
+function(trammel_gen_model_state header)
   set(generate ${PROJECT_SOURCE_DIR}/scripts/trammel_tools/generate)
   add_custom_command(OUTPUT ${header}
-    COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-registers ${header} ${ARGN} ${chip_rtl}
-    DEPENDS ${generate}/gen_registers.py ${generate}/model_regions.py ${ARGN} ${chip_rtl})
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-model-state ${header} ${ARGN} ${chip_rtl}
+    DEPENDS ${generate}/gen_model_state.py ${generate}/model_regions.py ${ARGN} ${chip_rtl})
 endfunction()
 
 # The libraries of a folder's chips and of its units in verilated/: chips_<folder>, and the objects

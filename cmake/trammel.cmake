@@ -303,7 +303,7 @@ function(trammel_add_blocks)
         TIMEOUT 1200 COST 500)
     endif()
     set(test ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_test.cpp)
-    # A module of a chip has promises and is tested in the chip.
+    # A module of a chip has assertions and is tested in the chip.
     set(props ${PROJECT_SOURCE_DIR}/rtl/chips/${block}_props.sv)
     if(NOT TRAMMEL_BASE AND (EXISTS ${test} OR EXISTS ${props}))
       trammel_campaign(campaign.mutants.${prefix}

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bit-exact twin on its processor's bus, with the platform beside it. `Board`: a ProcessorBus.
-// `Pins`: the table of the chip's ports, as of BusChip; the twin's In and out() have their names.
+// A bit-exact twin on its processor's bus, with the platform beside it. `Surroundings`: a
+// ProcessorBus. `Pins`: the table of the chip's ports, as of BusChip; the twin's In and out()
+// have their names.
 // Its reset is behind it when it is made.
 #pragma once
 
@@ -10,11 +11,11 @@
 
 namespace trammel::cosim {
 
-template <class Base, class Board, class Pins, class Twin>
-class BusTwin : public HostedTwin<Base, Board, Twin> {
+template <class Base, class Surroundings, class Pins, class Twin>
+class BusTwin : public HostedTwin<Base, Surroundings, Twin> {
  public:
-  explicit BusTwin(const Twin& twin, const Board& board = Board())
-      : HostedTwin<Base, Board, Twin>(twin) {
+  explicit BusTwin(const Twin& twin, const Surroundings& board = Surroundings())
+      : HostedTwin<Base, Surroundings, Twin>(twin) {
     state_ = board;
     state_.connect(in_);
     this->reset();
@@ -28,9 +29,9 @@ class BusTwin : public HostedTwin<Base, Board, Twin> {
   }
 
  protected:
-  using HostedTwin<Base, Board, Twin>::in_;
-  using HostedTwin<Base, Board, Twin>::state_;
-  using HostedTwin<Base, Board, Twin>::twin_;
+  using HostedTwin<Base, Surroundings, Twin>::in_;
+  using HostedTwin<Base, Surroundings, Twin>::state_;
+  using HostedTwin<Base, Surroundings, Twin>::twin_;
 
   // At the twin's bus.
   virtual void put(const BusOp& op) { twin_.request(op.addr, op.data, op.write); }

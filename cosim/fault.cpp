@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 
 namespace trammel::cosim {
 namespace {

@@ -9,8 +9,8 @@ void close_result(RunResult& result, const MachineChip& chip,
   result.clocks = chip.now();
   result.evaluated = chip.evaluated();
   result.activity = chip.activity();
-  result.promise = chip.broken_promise();
-  if (result.promise) result.end = EndReason::kPromise;
+  result.assertion = chip.failed_assertion();
+  if (result.assertion) result.end = EndReason::kAssertion;
   if (window) result.waves = wave_spans(*window, result.clocks);
   result.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "cosim/assertion.hpp"
 #include "cosim/cosim.hpp"
-#include "cosim/machine.hpp"
-#include "cosim/promise.hpp"
+#include "cosim/run.hpp"
 #include "cosim/waves.hpp"
 
 namespace trammel::cosim {
@@ -25,7 +25,7 @@ struct MachineChip : Chip {
     return false;
   }
   // The first assertion that failed, if the chip checks them.
-  virtual std::optional<BrokenPromise> broken_promise() const { return {}; }
+  virtual std::optional<FailedAssertion> failed_assertion() const { return {}; }
 };
 
 // Completes the result of a run that began at `started` and dumped the clocks of `window`. A failed

@@ -18,7 +18,7 @@ class MachineSession : public SampledSession {
  public:
   std::unique_ptr<RunResult> result() final {
     const bool whole =
-        at_end_ && end_ != EndReason::kStopped && end_ != EndReason::kPromise;
+        at_end_ && end_ != EndReason::kStopped && end_ != EndReason::kAssertion;
     std::unique_ptr<Result> result = whole ? std::move(at_end_) : result_now();
     result->samples = std::move(samples_);
     result->end = whole ? EndReason::kDone : end_;

@@ -34,7 +34,7 @@ void Rig::watch_trips(const char* unit) {
 
 void Rig::watch_fault(const Stop& stop) {
   if (!fault_watch_) return;
-  fault_watch_->on(stop, drives_off(), [this] { return noticed(); },
+  fault_watch_->on(stop, drives_off(), [this] { return detected_by(); },
                    [&] { return truth(stop.edge); });
 }
 

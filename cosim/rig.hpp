@@ -23,7 +23,7 @@ class Rig : protected Observer {
   Clk end() const { return run_.clocks(run_.max_s); }  // the run ends there at the latest
 
  protected:
-  Rig(const RunBasics& run, const Fault& fault, const ProcessorOptions& processor,
+  Rig(const RunOptions& run, const Fault& fault, const ProcessorOptions& processor,
       const Waves& waves)
       : waves_(waves), run_(run), fault_(fault), processor_(processor) {}
 
@@ -36,7 +36,7 @@ class Rig : protected Observer {
 
   // What the machine knows of a fault.
   virtual bool drives_off() const { return false; }
-  virtual std::string noticed() const { return {}; }  // by what; "": by nothing
+  virtual std::string detected_by() const { return {}; }  // by what; "": by nothing
   virtual FaultTruth truth(Clk) const { return {}; }
 
   MachineChip& wired() const { return *chip_; }
@@ -46,7 +46,7 @@ class Rig : protected Observer {
   Waves waves_;
 
  private:
-  RunBasics run_;
+  RunOptions run_;
   Fault fault_;
   ProcessorOptions processor_;
   MachineChip* chip_ = nullptr;

@@ -29,7 +29,7 @@ void SampledSession::on(const Stop& stop, const Chip& chip, const Plant&) {
 }
 
 std::optional<EndReason> SampledSession::ended(Clk edge) {
-  if (wired().broken_promise()) return EndReason::kPromise;
+  if (wired().failed_assertion()) return EndReason::kAssertion;
   if (waves_.found()) return EndReason::kDone;
   if (hooks_.progress && recorded_ % 64 == 0) hooks_.progress(std::min(1.0, progress()));
   if (hooks_.stopped()) return EndReason::kStopped;

@@ -40,7 +40,7 @@ class SampledSession : public SessionOf<Rig>, public SignalReader {
  protected:
   using SessionOf<Rig>::SessionOf;
   // Of its samples those at multiples of `record_s` are recorded.
-  SampledSession(double record_s, const Hooks& hooks, const RunBasics& run, const Fault& fault,
+  SampledSession(double record_s, const Hooks& hooks, const RunOptions& run, const Fault& fault,
                  const ProcessorOptions& processor, const Waves& waves)
       : SessionOf(hooks, run, fault, processor, waves),
         record_clk_(std::max<Clk>(1, run.clocks(record_s))) {}

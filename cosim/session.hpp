@@ -11,7 +11,7 @@
 
 #include "cosim/core.hpp"
 #include "cosim/direct.hpp"
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "cosim/trigger_search.hpp"
 
 namespace trammel::cosim {

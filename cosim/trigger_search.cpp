@@ -46,7 +46,7 @@ void TriggerSearch::on(const Stop& stop, const MachineChip& chip, const SignalRe
   if ((stop.why & why) != 0 && stop.edge >= trigger_.edge) found_ = stop.edge;
 }
 
-std::optional<Trigger> wave_event(const RunBasics& run, const TriggerForms& forms) {
+std::optional<Trigger> wave_event(const RunOptions& run, const TriggerForms& forms) {
   const auto text = wave_trigger_text(run, forms.start);
   if (!text) return {};
   return parse_trigger(*text, forms, run.clock_ps);

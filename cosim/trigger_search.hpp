@@ -48,6 +48,6 @@ struct Waves {
 
 // The event that a run's window of waves is anchored to; none when it counts from the start.
 // Throws as parse_trigger() does.
-std::optional<Trigger> wave_event(const RunBasics& run, const TriggerForms& forms);
+std::optional<Trigger> wave_event(const RunOptions& run, const TriggerForms& forms);
 
 }  // namespace trammel::cosim

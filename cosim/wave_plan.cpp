@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLongestS = 3600;  // as run.max_s
 
-bool default_window(const RunBasics& run) { return run.wave_begin_s == 0 && run.wave_end_s == 0; }
+bool default_window(const RunOptions& run) { return run.wave_begin_s == 0 && run.wave_end_s == 0; }
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Clk parse_edge(const std::string& text, std::int64_t clock_ps) {
   return clocks_of(*seconds, clock_ps);
 }
 
-std::optional<std::string> wave_trigger_text(const RunBasics& run, const char* start) {
+std::optional<std::string> wave_trigger_text(const RunOptions& run, const char* start) {
   if (run.wave == WaveFormat::kNone) return {};
   if (trigger_asked(run)) return run.wave_trigger;
   if (default_window(run) && run.wave_every_s == 0) return start;
@@ -45,11 +45,11 @@ std::optional<std::string> wave_trigger_text(const RunBasics& run, const char* s
 }
 
 // The default window then begins with the run.
-Clk wave_origin(const RunBasics& run) {
+Clk wave_origin(const RunOptions& run) {
   return default_window(run) && run.wave_every_s == 0 ? run.clocks(run.wave_pre_s) : 0;
 }
 
-WaveWindow wave_window(const RunBasics& run, Clk origin) {
+WaveWindow wave_window(const RunOptions& run, Clk origin) {
   double begin_s = run.wave_begin_s;
   double end_s = run.wave_end_s;
   if (default_window(run)) {

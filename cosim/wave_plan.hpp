@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 
 namespace trammel::cosim {
 
@@ -21,16 +21,16 @@ std::optional<double> parse_time(const std::string& text);
 Clk parse_edge(const std::string& text, std::int64_t clock_ps);
 
 // Whether the user named the event that the window is anchored to: then its absence is an error.
-inline bool trigger_asked(const RunBasics& run) { return !run.wave_trigger.empty(); }
+inline bool trigger_asked(const RunOptions& run) { return !run.wave_trigger.empty(); }
 
 // That event: the user's, or `start` of the default window; none when it counts from the start of
 // the run.
-std::optional<std::string> wave_trigger_text(const RunBasics& run, const char* start);
+std::optional<std::string> wave_trigger_text(const RunOptions& run, const char* start);
 
 // Where the window counts from when there is no trigger, or it never fired.
-Clk wave_origin(const RunBasics& run);
+Clk wave_origin(const RunOptions& run);
 
 // The window around edge `origin`; it may begin before edge 0, which is then the first one shown.
-WaveWindow wave_window(const RunBasics& run, Clk origin);
+WaveWindow wave_window(const RunOptions& run, Clk origin);
 
 }  // namespace trammel::cosim

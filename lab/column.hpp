@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "lab/settings.hpp"
 
 namespace trammel::lab {

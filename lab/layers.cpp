@@ -323,7 +323,7 @@ void check_name(const std::string& name) {
 
 // Ways to run a chip that exclude each other, and what a machine does not offer.
 void check_engine(const Settings& settings) {
-  const cosim::RunBasics& run = settings.run;
+  const cosim::RunOptions& run = settings.run;
   const Capabilities& can = settings.machine().can;
   const bool waves = run.wave != cosim::WaveFormat::kNone || !run.wave_trigger.empty();
   const bool twin = run.engine == cosim::Engine::kTwin;

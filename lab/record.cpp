@@ -67,7 +67,7 @@ const char* end_text(cosim::EndReason end) {
     case cosim::EndReason::kMissed: return "missed";
     case cosim::EndReason::kTimeout: return "timeout";
     case cosim::EndReason::kStopped: return "interrupted";
-    case cosim::EndReason::kPromise: return "assertion failed";
+    case cosim::EndReason::kAssertion: return "assertion failed";
   }
   return "unknown";
 }
@@ -80,9 +80,9 @@ std::string verdict_text(const Settings& settings, const cosim::RunResult& resul
     case cosim::EndReason::kTimeout:
       return fmt::format("not finished within run.max_s = {:g}{}{}", settings.run.max_s,
                          fault.empty() ? "" : ": ", fault);
-    case cosim::EndReason::kPromise:
+    case cosim::EndReason::kAssertion:
       return fmt::format("{}: {}", end_text(result.end),
-                         promise_text(*result.promise, result.clock_ps));
+                         assertion_text(*result.assertion, result.clock_ps));
     default: return end_text(result.end);
   }
 }
@@ -91,19 +91,19 @@ int exit_code(cosim::EndReason end) {
   switch (end) {
     case cosim::EndReason::kDone: return 0;
     case cosim::EndReason::kStopped: return 130;
-    case cosim::EndReason::kPromise: return 4;
+    case cosim::EndReason::kAssertion: return 4;
     default: return 5;
   }
 }
 
-std::string promise_text(const cosim::BrokenPromise& promise, std::int64_t clock_ps) {
-  return fmt::format("{} of {} at {:.8f} s, clock {} ({})", promise.name,
-                     promise.instance.empty() ? "the chip" : promise.instance,
-                     cosim::seconds_of(promise.edge, clock_ps), promise.edge, promise.place);
+std::string assertion_text(const cosim::FailedAssertion& assertion, std::int64_t clock_ps) {
+  return fmt::format("{} of {} at {:.8f} s, clock {} ({})", assertion.name,
+                     assertion.instance.empty() ? "the chip" : assertion.instance,
+                     cosim::seconds_of(assertion.edge, clock_ps), assertion.edge, assertion.place);
 }
 
 std::string cause_text(const cosim::RunResult& result) {
-  if (result.promise) return ": " + promise_text(*result.promise, result.clock_ps);
+  if (result.assertion) return ": " + assertion_text(*result.assertion, result.clock_ps);
   const std::string fault = result.fault_text();
   if (fault.empty()) return "";
   const bool told = result.end == cosim::EndReason::kMissed ||

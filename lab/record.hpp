@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "host/errors.hpp"
 #include "lab/figure.hpp"
 #include "lab/settings.hpp"
@@ -83,8 +83,8 @@ const char* end_text(cosim::EndReason end);  // "done", "tripped"...
 std::string verdict_text(const Settings& settings, const cosim::RunResult& result);
 int exit_code(cosim::EndReason end);
 
-// One line: promise, instance, time and place.
-std::string promise_text(const cosim::BrokenPromise& promise, std::int64_t clock_ps);
+// One line: assertion, instance, time and place.
+std::string assertion_text(const cosim::FailedAssertion& assertion, std::int64_t clock_ps);
 
 // Cause of an end that is an error: ": PROMISE", " by FAULT", or nothing.
 std::string cause_text(const cosim::RunResult& result);

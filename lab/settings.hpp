@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "cosim/fault.hpp"
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "host/errors.hpp"
 
 namespace trammel::lab {
@@ -48,7 +48,7 @@ struct Settings {
   std::string program;      // the file that was named in place of a scenario; "": none
   std::vector<std::string> notices;  // lines for people: former keys, and what to write now
   std::shared_ptr<const void> prepared;  // what the machine has made of them in validate()
-  cosim::RunBasics run;
+  cosim::RunOptions run;
   cosim::ProcessorOptions processor;
   cosim::Fault fault;
 

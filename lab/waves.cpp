@@ -44,7 +44,7 @@ std::string trigger_text(const Settings& settings) {
   return cosim::wave_trigger_text(settings.run, forms.start).value_or("");
 }
 
-const char* file_name(const cosim::RunBasics& run) {
+const char* file_name(const cosim::RunOptions& run) {
   return run.wave == WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
 }
 
@@ -116,7 +116,7 @@ void apply_waves(Settings& settings, const WaveArguments& arguments) {
 }
 
 void check_waves(const Settings& settings) {
-  const cosim::RunBasics& run = settings.run;
+  const cosim::RunOptions& run = settings.run;
   if (run.wave == WaveFormat::kNone) return;
   const auto refuse = [](const std::string& message) { throw host::ConfigError(message); };
   if (cosim::trigger_asked(run)) {
@@ -147,7 +147,7 @@ void check_waves(const Settings& settings) {
 }
 
 std::optional<std::string> waves_notice(const Settings& settings) {
-  const cosim::RunBasics& run = settings.run;
+  const cosim::RunOptions& run = settings.run;
   if (run.wave == WaveFormat::kNone) return {};
   const bool vcd = run.wave == WaveFormat::kVcd;
   if (vcd && host::find_program("fst2vcd").empty()) {

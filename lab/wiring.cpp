@@ -19,14 +19,15 @@ cosim::Hooks half_of_progress(const cosim::Hooks& hooks, double from) {
 
 }  // namespace
 
-void run_session(cosim::Session& session, const cosim::RunBasics& basics) {
+void run_session(cosim::Session& session, const cosim::RunOptions& options) {
   if (cosim::Core* const core = session.core()) {
     cosim::CoreRun run(session.loop(), *core, session.end(),
                        [&session] { return session.finished(); },
                        [&session](const cosim::CoreTrap& trap) { session.trapped(trap); });
     run.run();
     session.core_ran(run.times());
-  } else if (basics.platform == cosim::Platform::kSystemC && basics.engine == cosim::Engine::kRtl) {
+  } else if (options.platform == cosim::Platform::kSystemC &&
+             options.engine == cosim::Engine::kRtl) {
     systemc::run(session);
   } else {
     cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
@@ -34,30 +35,30 @@ void run_session(cosim::Session& session, const cosim::RunBasics& basics) {
   }
 }
 
-std::unique_ptr<cosim::RunResult> simulate(const cosim::RunBasics& basics,
+std::unique_ptr<cosim::RunResult> simulate(const cosim::RunOptions& options,
                                            const cosim::TriggerForms& forms,
                                            const cosim::MakeSession& make,
                                            const cosim::Hooks& hooks) {
   cosim::Waves waves;
   cosim::Hooks own = hooks;
   std::optional<cosim::Clk> trigger;
-  const auto event = cosim::wave_event(basics, forms);
+  const auto event = cosim::wave_event(options, forms);
   if (event && event->known()) {
     trigger = event->edge;
   } else if (event) {
     cosim::TriggerSearch search(*event);
     const auto session = make(half_of_progress(hooks, 0), {&search, {}});
-    run_session(*session, basics);
+    run_session(*session, options);
     trigger = search.found();
     // Without the event there is nothing to dump, and this was the run.
-    if (!trigger && (cosim::trigger_asked(basics) || session->stopped())) return session->result();
+    if (!trigger && (cosim::trigger_asked(options) || session->stopped())) return session->result();
     own = half_of_progress(hooks, 0.5);
   }
-  if (basics.wave != cosim::WaveFormat::kNone) {
-    waves.window = cosim::wave_window(basics, trigger.value_or(cosim::wave_origin(basics)));
+  if (options.wave != cosim::WaveFormat::kNone) {
+    waves.window = cosim::wave_window(options, trigger.value_or(cosim::wave_origin(options)));
   }
   const auto session = make(own, waves);
-  run_session(*session, basics);
+  run_session(*session, options);
   auto result = session->result();
   result->wave_trigger = trigger;
   return result;

@@ -205,8 +205,8 @@ std::string injected_text(const Settings& settings, const cosim::RunResult& resu
                                  result.seconds(report.begin));
   if (report.begin >= result.clocks) return text + "the run had ended by then\n";
   if (report.detected == cosim::kNever) return text + "not noticed\n";
-  const double noticed_s = result.seconds(report.detected - report.begin);
-  text += fmt::format("noticed {} later: {}", host::time_text(noticed_s, 3), report.by);
+  const double detected_s = result.seconds(report.detected - report.begin);
+  text += fmt::format("noticed {} later: {}", host::time_text(detected_s, 3), report.by);
   if (report.off == cosim::kNever) return text + "; outputs not off\n";
   return text + fmt::format("; outputs off {} later, at rest after {:.4g} {}\n",
                             host::time_text(result.seconds(report.off - report.detected), 3),
@@ -236,11 +236,11 @@ Json metrics_json(const Record& record, const Origin& origin) {
   json["end"] = end_text(result.end);
   json["verdict"] = record.verdict;
   if (const std::string fault = result.fault_text(); !fault.empty()) json["fault"] = fault;
-  if (result.promise) {
-    json["promise"] = {{"name", result.promise->name},
-                       {"instance", result.promise->instance},
-                       {"place", result.promise->place},
-                       {"clock", result.promise->edge}};
+  if (result.assertion) {
+    json["promise"] = {{"name", result.assertion->name},
+                       {"instance", result.assertion->instance},
+                       {"place", result.assertion->place},
+                       {"clock", result.assertion->edge}};
   }
   put_figures(json, record.figures);
   for (const Record& companion : record.companions) {

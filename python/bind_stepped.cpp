@@ -37,7 +37,7 @@ void bind_stepped(nb::module_& module) {
   nb::class_<Stepped>(module, "Stepped", "A run that goes on when it is told to.")
       .def(
           "__init__",
-          [](Stepped* self, const Asked& asked) {
+          [](Stepped* self, const RunSettings& asked) {
             new (self) Stepped(asked.settings->clone());
             wait(*self);
           },

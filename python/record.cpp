@@ -27,7 +27,7 @@ using Values = nb::ndarray<nb::numpy, double, nb::ndim<2>>;
 // SystemC has one kernel in a process.
 std::mutex systemc_kernel;
 
-Finished run(const Asked& asked, const nb::object& progress) {
+Finished run(const RunSettings& asked, const nb::object& progress) {
   const std::shared_ptr<const lab::Settings> settings = asked.settings->clone();
   std::atomic<bool> stop{false};
   std::atomic<double> fraction{0};
@@ -131,7 +131,7 @@ void bind_record(nb::module_& module) {
                      return result.seconds(result.clocks);
                    })
       .def_prop_ro("settings",
-                   [](const Finished& run) { return Asked{run.record->settings->clone()}; })
+                   [](const Finished& run) { return RunSettings{run.record->settings->clone()}; })
       .def_prop_ro("figures", &figures_of)
       .def_prop_ro("columns", &columns_of)
       .def_prop_ro("metrics",

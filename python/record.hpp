@@ -17,7 +17,7 @@ namespace trammel::python {
 namespace nb = nanobind;
 
 // What a run is asked for; layers are applied by the methods, later ones win.
-struct Asked {
+struct RunSettings {
   std::shared_ptr<lab::Settings> settings;
 };
 

@@ -25,7 +25,7 @@ nb::list keys_of(const lab::Machine& machine) {
   return all;
 }
 
-std::optional<std::string> range_of(const Asked& asked, const std::string& name) {
+std::optional<std::string> range_of(const RunSettings& asked, const std::string& name) {
   const auto keys = lab::find_keys(asked.settings->machine().keys(), name);
   if (keys.empty()) return {};
   return lab::range_text(*keys.front());
@@ -34,34 +34,34 @@ std::optional<std::string> range_of(const Asked& asked, const std::string& name)
 }  // namespace
 
 void bind_settings(nb::module_& module) {
-  nb::class_<Asked>(module, "Settings", "What one run is asked for.")
+  nb::class_<RunSettings>(module, "Settings", "What one run is asked for.")
       .def(
           "__init__",
-          [](Asked* self, const std::string& scenario) {
-            new (self) Asked{lab::load_scenario(lab::find_scenario(scenario))};
+          [](RunSettings* self, const std::string& scenario) {
+            new (self) RunSettings{lab::load_scenario(lab::find_scenario(scenario))};
           },
           nb::arg("scenario"), "A built-in scenario, or the path of a .toml file.")
       .def(
           "set",
-          [](Asked& self, const std::string& key, const std::string& value) {
+          [](RunSettings& self, const std::string& key, const std::string& value) {
             lab::apply_assignment(*self.settings, key + '=' + value);
           },
           nb::arg("key"), nb::arg("value"), "Gives a key this value, as the command line has it.")
       .def(
           "add_file",
-          [](Asked& self, const std::string& file) { lab::apply_file(*self.settings, file); },
+          [](RunSettings& self, const std::string& file) { lab::apply_file(*self.settings, file); },
           nb::arg("file"), "Applies a TOML file.")
       .def(
-          "validate", [](Asked& self) { lab::validate(*self.settings); },
+          "validate", [](RunSettings& self) { lab::validate(*self.settings); },
           "Checks the rules that concern several keys; once, after all have their values.")
       .def(
-          "copy", [](const Asked& self) { return Asked{self.settings->clone()}; },
+          "copy", [](const RunSettings& self) { return RunSettings{self.settings->clone()}; },
           "The same settings once more.")
-      .def_prop_ro("scenario", [](const Asked& self) { return self.settings->scenario; })
-      .def_prop_ro("machine", [](const Asked& self) { return self.settings->machine().name; })
+      .def_prop_ro("scenario", [](const RunSettings& self) { return self.settings->scenario; })
+      .def_prop_ro("machine", [](const RunSettings& self) { return self.settings->machine().name; })
       .def_prop_ro(
           "values",
-          [](const Asked& self) {
+          [](const RunSettings& self) {
             nb::dict all;
             for (const lab::Key& key : self.settings->machine().keys()) {
               all[key.name.c_str()] = key.get(*self.settings);
@@ -70,10 +70,10 @@ void bind_settings(nb::module_& module) {
           },
           "Every key and its value.")
       .def_prop_ro(
-          "toml", [](const Asked& self) { return lab::run_toml(*self.settings); },
+          "toml", [](const RunSettings& self) { return lab::run_toml(*self.settings); },
           "A scenario file that repeats the run.")
       .def_prop_ro(
-          "command", [](const Asked& self) { return lab::repeat_command(*self.settings); },
+          "command", [](const RunSettings& self) { return lab::repeat_command(*self.settings); },
           "The command that repeats the run.")
       .def("range", &range_of, nb::arg("key"), "What a key may be; None for one that is unknown.");
   module.def(

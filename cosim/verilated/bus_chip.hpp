@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A verilated chip with an AXI4-Lite port and an interrupt, `irq_o`, and the platform beside it.
-// `Board`: a ProcessorBus, made of a chip's `Setup`. Its reset is behind it when it is made.
+// `Surroundings`: a ProcessorBus, made of a chip's `Setup`. Its reset is behind it when it is made.
 // `Pins`: the table of the chip's ports,
 //
 //   static constexpr Lines kIdle          that the plant drives at the reset
@@ -17,20 +17,20 @@
 
 namespace trammel::cosim {
 
-template <class Board>
-struct BusState : Board {
-  using Board::Board;
+template <class Surroundings>
+struct BusState : Surroundings {
+  using Surroundings::Surroundings;
   AxiLiteMaster bus;
 };
 
-template <class Base, class Board, class Pins, class Model, class Tracer>
-class BusChip : public HostedChip<Base, BusState<Board>, Model, Tracer> {
-  using Hosted = HostedChip<Base, BusState<Board>, Model, Tracer>;
+template <class Base, class Surroundings, class Pins, class Model, class Tracer>
+class BusChip : public HostedChip<Base, BusState<Surroundings>, Model, Tracer> {
+  using Hosted = HostedChip<Base, BusState<Surroundings>, Model, Tracer>;
 
  public:
   template <class... Setup>
   BusChip(Tracer tracer, ModelMode mode, const Setup&... setup) : Hosted(std::move(tracer), mode) {
-    static_cast<Board&>(state_) = Board(setup...);
+    static_cast<Surroundings&>(state_) = Surroundings(setup...);
     state_.bus.reset(*model_);
     state_.connect(*model_);
     BusChip::sense(Pins::kIdle);

@@ -28,9 +28,9 @@
 #include <utility>
 #include <vector>
 
+#include "cosim/assertion.hpp"
 #include "cosim/cosim.hpp"
-#include "cosim/machine.hpp"
-#include "cosim/promise.hpp"
+#include "cosim/run.hpp"
 #include "cosim/verilated/clock_pins.hpp"
 #include "cosim/verilated/regions.hpp"
 #include "cosim/verilated/tracer.hpp"
@@ -125,7 +125,7 @@ class ClockedModel {
       rise();
     }
     tracer_.raised(edge);
-    if (checked_ && !broken_) look_for_broken_promise(edge);
+    if (checked_ && !broken_) look_for_failed_assertion(edge);
   }
 
   // How many edges from the present one on only count; at least 1, the evaluated one.
@@ -169,7 +169,7 @@ class ClockedModel {
     return found;
   }
 
-  const std::optional<BrokenPromise>& broken_promise() const { return broken_; }
+  const std::optional<FailedAssertion>& failed_assertion() const { return broken_; }
 
  private:
   // Domains that the next edge may change.
@@ -231,8 +231,8 @@ class ClockedModel {
     model_->eval();
   }
 
-  void look_for_broken_promise(Clk edge) {
-    broken_ = take_broken_promise();
+  void look_for_failed_assertion(Clk edge) {
+    broken_ = take_failed_assertion();
     if (broken_) broken_->edge = edge;
   }
 
@@ -246,7 +246,7 @@ class ClockedModel {
   Clk time_ = kUnset, event_ = kUnset;
   std::vector<Clk> awake_;  // edges at which these domains were awake
   Tracer tracer_;
-  std::optional<BrokenPromise> broken_;
+  std::optional<FailedAssertion> broken_;
 };
 
 }  // namespace trammel::cosim

@@ -17,7 +17,9 @@ class HostedChip : public Hosted<Base, State> {
  public:
   using Root = std::remove_pointer_t<decltype(Model::rootp)>;
 
-  std::optional<BrokenPromise> broken_promise() const override { return model_.broken_promise(); }
+  std::optional<FailedAssertion> failed_assertion() const override {
+    return model_.failed_assertion();
+  }
   Root& registers() { return model_.registers(state_.now); }
   void upset() { model_.upset(state_.now); }
   Tracer& tracer() { return model_.tracer(); }

@@ -13,13 +13,13 @@
 #include <type_traits>
 #include <utility>
 
-#include "cosim/promise.hpp"
+#include "cosim/assertion.hpp"
 #include "cosim/verilated/tracer.hpp"
 
 namespace trammel::cosim {
 
 struct StepNames {
-  const char* promise;
+  const char* assertion;
   const char* first;  // what happened to a register that differs
   const char* second;
 };
@@ -27,8 +27,8 @@ struct StepNames {
 template <class First, class Second, class Registers>
 class InStep : public First {
  public:
-  std::optional<BrokenPromise> broken_promise() const override {
-    return broken_ ? broken_ : First::broken_promise();
+  std::optional<FailedAssertion> failed_assertion() const override {
+    return broken_ ? broken_ : First::failed_assertion();
   }
 
  protected:
@@ -75,12 +75,13 @@ class InStep : public First {
   }
 
   void differ(const char* what, Clk edge, const std::string& first, const std::string& second) {
-    broken_ = BrokenPromise{names_.promise, what,
-                            second + ' ' + names_.second + ", " + first + ' ' + names_.first, edge};
+    broken_ =
+        FailedAssertion{names_.assertion, what,
+                        second + ' ' + names_.second + ", " + first + ' ' + names_.first, edge};
   }
 
   StepNames names_;
-  std::optional<BrokenPromise> broken_;
+  std::optional<FailedAssertion> broken_;
 
  protected:
   Second second_;

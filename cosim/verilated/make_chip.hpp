@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "cosim/verilated/flipped_chip.hpp"
 #include "cosim/verilated/fst_trace.hpp"
 #include "cosim/verilated/waved_chip.hpp"
@@ -15,23 +15,23 @@
 namespace trammel::cosim {
 
 // Such a run needs more than the model for speed.
-inline bool is_watched(const RunBasics& run, const std::optional<WaveWindow>& window) {
+inline bool is_watched(const RunOptions& run, const std::optional<WaveWindow>& window) {
   return window || run.assertions || run.audit;
 }
 
 // Fast: the model for speed.
 template <template <class Model, class Tracer> class ChipModel, class Fast, class Registers,
           class... Setup>
-auto make_chip(const RunBasics& run, const Setup&... setup) {
+auto make_chip(const RunOptions& run, const Setup&... setup) {
   using Chip = FlippedChip<ChipModel<Fast, NoTrace>, Registers>;
   return std::make_unique<Chip>(NoTrace{}, ModelMode{run.leap, false, run.domains}, setup...);
 }
 
-// Checked: with the promises of its blocks; Traced: the description of the model that dumps a
+// Checked: with the assertions of its blocks; Traced: the description of the model that dumps a
 // window of waves.
 template <class Interface, template <class Model, class Tracer> class ChipModel, class Fast,
           class Checked, class Traced, class Registers, class... Setup>
-std::unique_ptr<Interface> make_watched_chip(const RunBasics& run,
+std::unique_ptr<Interface> make_watched_chip(const RunOptions& run,
                                              const std::optional<WaveWindow>& window,
                                              const Setup&... setup) {
   using Trace = FstTrace<Traced>;

@@ -14,14 +14,14 @@
 #include <cstdint>
 #include <utility>
 
-#include "cosim/pin_board.hpp"
+#include "cosim/pin_bus.hpp"
 #include "cosim/verilated/hosted_chip.hpp"
 
 namespace trammel::cosim {
 
 template <class Pins, class Model, class Tracer>
-class PinChip : public HostedChip<PinnedChip, PinBoard, Model, Tracer> {
-  using Hosted = HostedChip<PinnedChip, PinBoard, Model, Tracer>;
+class PinChip : public HostedChip<PinnedChip, PinBus, Model, Tracer> {
+  using Hosted = HostedChip<PinnedChip, PinBus, Model, Tracer>;
 
  protected:
   using Hosted::model_;

@@ -4,8 +4,9 @@
 // follows the inputs, which clocks have risen, and what these move. Called one by one, with the
 // risen clocks set by hand, they evaluate the domains that are awake and no other logic.
 //
-// The names are Verilator's own and change with it. Where gen-registers knows them, it specialises
-// Regions and StoredClocks for the root of a model; else the chip is evaluated as a whole.
+// The names are Verilator's own and change with it. Where gen-model-state knows them, it
+// specialises Regions and StoredClocks for the root of a model; else the chip is evaluated as a
+// whole.
 #pragma once
 
 #include <verilated.h>

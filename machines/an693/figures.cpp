@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 #include "parts/lm628/columns.hpp"
 #include "parts/lm628/rest.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Keys of the machine an693. Words of the trajectory are those that the LM628 takes.
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 #include "parts/lm628/keys.hpp"
 
 namespace trammel::lab {

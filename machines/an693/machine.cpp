@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 
 namespace trammel::an693 {
 namespace {
@@ -127,10 +127,10 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       app_(program_setup(options)),
       expected_s_(expected_s(options)) {}
 
-std::string Session::noticed() const { return failure_text(app_.mailbox()); }
+std::string Session::detected_by() const { return failure_text(app_.mailbox()); }
 
 bool Session::over(const Sample& sample) {
-  if (found() || chip().broken_promise()) return true;
+  if (found() || chip().failed_assertion()) return true;
   const sw::Mailbox& mailbox = app_.mailbox();
   if (mailbox.point != steps_) {
     if (steps_ > 0) step_ends_.push_back(samples_);
@@ -167,7 +167,7 @@ std::vector<cosim::Place> Session::places() const {
 std::unique_ptr<cosim::RunResult> Session::result() {
   auto result = std::make_unique<Result>(Bench::result());
   const sw::Mailbox& mailbox = app_.mailbox();
-  if (!result->promise) result->end = end_;
+  if (!result->assertion) result->end = end_;
   result->fault = failure_text(mailbox);
   result->desired = mailbox.desired[0];
   result->real = mailbox.real[0];

@@ -90,7 +90,7 @@ class Bench : public cosim::Rig, private cosim::SignalReader {
  protected:
   const Options& options() const { return options_; }
   bool found() const { return waves_.found(); }
-  std::string noticed() const override { return {}; }  // a fault, by who is at the port
+  std::string detected_by() const override { return {}; }  // a fault, by who is at the port
 
  private:
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
@@ -125,7 +125,7 @@ class Session final : public cosim::SessionOf<Bench> {
 
  private:
   bool over(const Sample& sample);
-  std::string noticed() const override;
+  std::string detected_by() const override;
 
   sw::An693App app_;
   double expected_s_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The pins of the chip at which faults can be.
-#include "machines/gantry/lines.hpp"
 #include "machines/gantry/options.hpp"
+#include "machines/gantry/pins.hpp"
 
 namespace trammel::gantry {
 

@@ -10,8 +10,8 @@
 
 #include "machines/gantry/estimated.hpp"
 #include "machines/gantry/host.hpp"
-#include "machines/gantry/machine.hpp"
-#include "machines/gantry/published.hpp"
+#include "machines/gantry/machine_members.hpp"
+#include "machines/gantry/published_values.hpp"
 
 namespace trammel::gantry {
 namespace {
@@ -105,7 +105,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   add(count("host.unchecked", "frames", "without their checksum", result.unchecked));
   add(count("host.unsent", "frames", "of the chip without room", result.unsent));
   add(count("host.refused", "goals", "outside the track, refused", result.refused));
-  set_published(options, result.end == cosim::EndReason::kDone, list);
+  set_published_values(options, result.end == cosim::EndReason::kDone, list);
   return list;
 }
 
@@ -113,7 +113,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
   const Result& result = result_of(record);
   std::vector<std::string> lines;
   const Options& options = options_of(record);
-  if (const auto one = published(options)) {
+  if (const auto one = thesis_figure(options)) {
     lines.push_back(fmt::format("Brochier 2006, figure {}: {}", one->number, one->says));
   }
   const StepFigures step = step_figures(options, result);
@@ -154,7 +154,7 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   for (const unsigned char byte : result_of(record).heard) heard += fmt::format("{:02X}", byte);
   json["heard"] = heard;
   auto& source = json["published"] = nlohmann::ordered_json::object();
-  if (const auto one = published(options_of(record))) {
+  if (const auto one = thesis_figure(options_of(record))) {
     source["figure"] = one->number;
     source["says"] = one->says;
   }

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <thread>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "host/errors.hpp"
 #include "sw_nios/apps/gantry/protocol.hpp"
 

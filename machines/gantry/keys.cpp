@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "lab/key_table.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 
 namespace trammel::lab {
 

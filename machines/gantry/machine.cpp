@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 
 #include "machines/gantry/session.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "cosim/fault_plant.hpp"
 #include "machines/gantry/host.hpp"
-#include "machines/gantry/lines.hpp"
+#include "machines/gantry/pins.hpp"
 #include "models/plant/belt_axis.hpp"
 #include "models/plant/stripe_track.hpp"
 

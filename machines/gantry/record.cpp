@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/gantry/record.hpp"
 
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "machines/gantry/plant.hpp"
 
 namespace trammel::gantry {

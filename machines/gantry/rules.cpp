@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 
 namespace trammel::gantry {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "cosim/machine_session.hpp"
 #include "machines/gantry/lost_count.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "machines/gantry/plant.hpp"
 #include "machines/gantry/setup.hpp"
 #include "machines/gantry/signals.hpp"
@@ -43,7 +43,7 @@ class Session final : public cosim::MachineSession<Options, TrackPlant, GantryCh
     const Words words = chip_->words();
     return words.force[0] == 0 && words.force[1] == 0;
   }
-  std::string noticed() const override { return what_noticed(app_.mailbox(), chip_->words()); }
+  std::string detected_by() const override { return what_noticed(app_.mailbox(), chip_->words()); }
   cosim::FaultTruth truth(cosim::Clk) const override {
     const double cart = plant_.axis().state().x[plant::BeltState::kCart];
     const bool at_stop = cart < options_.axis.stop_low || cart > options_.axis.stop_high;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 
 namespace trammel::gantry {
 

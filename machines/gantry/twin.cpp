@@ -2,13 +2,13 @@
 //
 // gantry_tau of its bit-exact twin behind the Chip interface.
 #include "cosim/bus_twin.hpp"
-#include "machines/gantry/board.hpp"
+#include "machines/gantry/surroundings.hpp"
 #include "machines/gantry/twin_words.hpp"
 
 namespace trammel::gantry {
 namespace {
 
-class TwinChip final : public cosim::BusTwin<GantryChip, Board, Pins, exact::GantryTau> {
+class TwinChip final : public cosim::BusTwin<GantryChip, Surroundings, Pins, exact::GantryTau> {
  public:
   using BusTwin::BusTwin;
 
@@ -19,7 +19,7 @@ class TwinChip final : public cosim::BusTwin<GantryChip, Board, Pins, exact::Gan
 }  // namespace
 
 std::unique_ptr<GantryChip> make_twin_chip(const ChipSetup& setup) {
-  return std::make_unique<TwinChip>(exact::GantryTau(), Board(setup));
+  return std::make_unique<TwinChip>(exact::GantryTau(), Surroundings(setup));
 }
 
 }  // namespace trammel::gantry

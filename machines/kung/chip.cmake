@@ -15,7 +15,7 @@ if(TRAMMEL_PICORV32 AND TRAMMEL_CROSS AND NOT TRAMMEL_FUZZ)
   set(image ${registers}/kung_image.inc)
   if(NOT TRAMMEL_BASE)
     set(root ${PROJECT_BINARY_DIR}/verilated/soc_host_fast/Vsoc_host_fast___024root.h)
-    trammel_gen_registers(${registers}/soc_host_registers.hpp ${root})
+    trammel_gen_model_state(${registers}/soc_host_state.hpp ${root})
     file(GLOB_RECURSE firmware CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/sw_nios/*)
     add_custom_command(OUTPUT ${image}
       COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool firmware --words kung ${image}
@@ -23,7 +23,7 @@ if(TRAMMEL_PICORV32 AND TRAMMEL_CROSS AND NOT TRAMMEL_FUZZ)
         ${PROJECT_SOURCE_DIR}/rtl/chips/generated/kung_xy_regs.hpp
       COMMENT "Compiling the firmware of kung_soc")
   endif()
-  list(APPEND chip_headers ${registers}/soc_host_registers.hpp ${image})
+  list(APPEND chip_headers ${registers}/soc_host_state.hpp ${image})
   set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/chip/soc.cpp PROPERTIES
     COMPILE_DEFINITIONS TRAMMEL_CORE INCLUDE_DIRECTORIES ${registers} OBJECT_DEPENDS ${image})
   set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/chip/verilated/soc_core.cpp PROPERTIES

@@ -10,10 +10,10 @@
 #include "machines/kung/page/page.hpp"
 #include "machines/kung/plan/described.hpp"
 #include "machines/kung/precision/trace.hpp"
-#include "machines/kung/run/advice.hpp"
 #include "machines/kung/run/columns.hpp"
 #include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
+#include "machines/kung/run/warnings.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -35,7 +35,7 @@ lab::Machine describe() {
   m.figures = figures;
   m.verdict = verdict;
   m.texts.remarks = remarks;
-  m.texts.warnings = advice;
+  m.texts.warnings = warnings;
   m.compared = {precision_companions, controller_name};
   m.files.metrics = add_metrics;
   m.files.detail = [](const lab::Record& record) {

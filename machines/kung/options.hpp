@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "lab/settings.hpp"
 #include "models/plant/xy_table.hpp"
 #include "paths/points.hpp"
@@ -208,7 +208,8 @@ struct Options final : lab::SettingsOf<Options, machine> {
   std::string uart;          // other end of the serial port, see run/serial.hpp; "": nothing
   Controller controller = Controller::kAfc;
   std::array<AxisGains, 2> gains;
-  bool gains_by_rule = false;  // kv and those of the current loop from the motor: plan/words.hpp
+  // kv and those of the current loop from the motor: plan/register_values.hpp
+  bool gains_by_rule = false;
   PrecisionOptions precision;
   plant::XyTableConfig plant = plant::default_xy_table();
   std::array<BelievedMotor, 2> believed;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "sw_nios/apps/larson/larson_map.hpp"
 
 namespace trammel::larson {

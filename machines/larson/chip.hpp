@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "cosim/machine_chip.hpp"
-#include "machines/larson/lines.hpp"
+#include "machines/larson/pins.hpp"
 
 namespace trammel::larson {
 
@@ -26,8 +26,8 @@ struct LarsonChip : cosim::MachineChip {
 };
 
 // As the run asks; with a window its waves are dumped into run.wave_file. Where the chip that dumps
-// them differs from the one that runs, the promise waves_are_exact is broken.
-std::unique_ptr<LarsonChip> make_verilated_chip(const cosim::RunBasics& run,
+// them differs from the one that runs, the assertion waves_are_exact fails.
+std::unique_ptr<LarsonChip> make_verilated_chip(const cosim::RunOptions& run,
                                                 const std::optional<cosim::WaveWindow>& window,
                                                 const ChipSetup& setup);
 

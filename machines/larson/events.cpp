@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "sw_nios/apps/larson/larson_map.hpp"
 
 namespace trammel::larson {

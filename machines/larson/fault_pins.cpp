@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The pins of the chip at which faults can be.
-#include "machines/larson/lines.hpp"
 #include "machines/larson/options.hpp"
+#include "machines/larson/pins.hpp"
 
 namespace trammel::larson {
 

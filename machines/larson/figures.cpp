@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 
 namespace trammel::larson {
 namespace {

@@ -2,7 +2,7 @@
 //
 // Keys of the machine larson; positions in steps of 0.001 inch.
 #include "lab/key_table.hpp"
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 
 namespace trammel::larson {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 
 #include "machines/larson/session.hpp"
 

@@ -8,8 +8,8 @@
 #include <cstddef>
 
 #include "cosim/fault_plant.hpp"
-#include "machines/larson/lines.hpp"
 #include "machines/larson/options.hpp"
+#include "machines/larson/pins.hpp"
 #include "models/plant/stepper_axis.hpp"
 
 namespace trammel::larson {

@@ -3,7 +3,7 @@
 // Rules that concern more than one key.
 #include <fmt/format.h>
 
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 
 namespace trammel::larson {
 namespace {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <sstream>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "host/errors.hpp"
 #include "host/input_file.hpp"
 #include "host/text.hpp"

@@ -13,7 +13,7 @@
 #include "cosim/machine_session.hpp"
 #include "machines/larson/calls.hpp"
 #include "machines/larson/events.hpp"
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "machines/larson/signals.hpp"
 
 namespace trammel::larson {
@@ -43,7 +43,7 @@ class Session final : public cosim::MachineSession<Options, TablePlant, LarsonCh
  private:
   bool drives_off() const override { return calls_.resting(); }
   // What the program has seen of a fault: a failure, or an error return.
-  std::string noticed() const override {
+  std::string detected_by() const override {
     if (app_.mailbox().failure != 0) return "CALTBL";
     const cosim::FaultSpan span(options_.fault, period_ps());
     return calls_.late(span.begin) ? "WTTBL" : "";

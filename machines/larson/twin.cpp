@@ -4,13 +4,13 @@
 #include <cstddef>
 
 #include "cosim/bus_twin.hpp"
-#include "machines/larson/board.hpp"
+#include "machines/larson/surroundings.hpp"
 #include "models/exact/chips/larson_xy.hpp"
 
 namespace trammel::larson {
 namespace {
 
-class TwinChip final : public cosim::BusTwin<LarsonChip, Board, Pins, exact::LarsonXy> {
+class TwinChip final : public cosim::BusTwin<LarsonChip, Surroundings, Pins, exact::LarsonXy> {
  public:
   using BusTwin::BusTwin;
 
@@ -31,7 +31,7 @@ class TwinChip final : public cosim::BusTwin<LarsonChip, Board, Pins, exact::Lar
 }  // namespace
 
 std::unique_ptr<LarsonChip> make_twin_chip(const ChipSetup& setup) {
-  return std::make_unique<TwinChip>(exact::LarsonXy(), Board(setup));
+  return std::make_unique<TwinChip>(exact::LarsonXy(), Surroundings(setup));
 }
 
 }  // namespace trammel::larson

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "parts/lm628/chip.hpp"
-#include "machines/mcafee/lines.hpp"
+#include "machines/mcafee/pins.hpp"
 
 namespace trammel::mcafee {
 
@@ -21,9 +21,9 @@ struct McafeeChip : cosim::MachineChip {
 };
 
 // As the run asks; with a window its waves are dumped into run.wave_file. Where the chip that dumps
-// them differs from the one that runs, the promise waves_are_exact is broken.
+// them differs from the one that runs, the assertion waves_are_exact fails.
 std::unique_ptr<McafeeChip> make_verilated_chip(
-    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {},
+    const cosim::RunOptions& run, const std::optional<cosim::WaveWindow>& window = {},
     int clock_MHz = kClockMHz);
 
 }  // namespace trammel::mcafee

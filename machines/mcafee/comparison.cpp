@@ -3,7 +3,7 @@
 // A run that tracks beside others of the same path at constant speeds.
 #include <fmt/format.h>
 
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 
 namespace trammel::mcafee {
 namespace {

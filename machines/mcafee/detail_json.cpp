@@ -9,7 +9,7 @@
 
 #include "host/files.hpp"
 #include "lab/report_data.hpp"
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 
 namespace trammel::mcafee {
 namespace {

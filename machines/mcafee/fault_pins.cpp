@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The pins of the chip at which faults can be.
-#include "machines/mcafee/lines.hpp"
 #include "machines/mcafee/options.hpp"
+#include "machines/mcafee/pins.hpp"
 
 namespace trammel::mcafee {
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 #include "machines/mcafee/signals.hpp"
 #include "parts/lm628/columns.hpp"
 

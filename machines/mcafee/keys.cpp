@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Keys of the machine mcafee. Words of a trajectory are those that the LM628 takes.
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 #include "parts/lm628/keys.hpp"
 
 namespace trammel::lab {

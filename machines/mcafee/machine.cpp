@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 
 #include "machines/mcafee/session.hpp"
 #include "parts/lm628/columns.hpp"

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "models/plant/trig.hpp"
 #include "paths/points.hpp"
 

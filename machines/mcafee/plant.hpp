@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cosim/fault_plant.hpp"
-#include "machines/mcafee/lines.hpp"
+#include "machines/mcafee/pins.hpp"
 #include "models/plant/xy_stage.hpp"
 
 namespace trammel::mcafee {

@@ -3,7 +3,7 @@
 // Rules that concern more than one key.
 #include <fmt/format.h>
 
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 #include "parts/lm628/motor.hpp"
 
 namespace trammel::mcafee {

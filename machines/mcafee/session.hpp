@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "cosim/machine_session.hpp"
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 #include "machines/mcafee/plant.hpp"
 #include "machines/mcafee/setup.hpp"
 #include "machines/mcafee/signals.hpp"
@@ -40,7 +40,7 @@ class Session final : public cosim::MachineSession<Options, StagePlant, McafeeCh
 
  private:
   bool drives_off() const override { return chip_->drive() == codes(kZeroCode, kZeroCode); }
-  std::string noticed() const override { return what_failed(app_.mailbox()); }
+  std::string detected_by() const override { return what_failed(app_.mailbox()); }
   cosim::FaultTruth truth(cosim::Clk edge) const override {
     cosim::FaultTruth now;
     for (std::size_t k = 0; k < 2; ++k) {

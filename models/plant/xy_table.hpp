@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-#include "models/pins/xy_lines.hpp"
+#include "models/pins/xy_pins.hpp"
 #include "models/plant/ad7476.hpp"
 #include "models/plant/axis.hpp"
 

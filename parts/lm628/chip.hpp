@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "cosim/cosim.hpp"
-#include "parts/lm628/lines.hpp"
+#include "parts/lm628/pins.hpp"
 #include "parts/lm628/options.hpp"
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "cosim/machine_chip.hpp"
 
 namespace trammel::lm628 {
@@ -46,7 +46,7 @@ struct Lm628Chip : cosim::MachineChip {
 // As the run asks; with a window its waves are dumped into run.wave_file. If the chip that dumps
 // them differs from the one that runs, the assertion waves_are_exact fails.
 std::unique_ptr<Lm628Chip> make_verilated_chip(
-    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {},
+    const cosim::RunOptions& run, const std::optional<cosim::WaveWindow>& window = {},
     const PartOptions& part = {});
 std::unique_ptr<Lm628Chip> make_twin_chip(const PartOptions& part = {});
 

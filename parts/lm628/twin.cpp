@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/hosted_twin.hpp"
-#include "parts/lm628/board.hpp"
+#include "parts/lm628/surroundings.hpp"
 #include "parts/lm628/twin_words.hpp"
 
 namespace trammel::lm628 {
 namespace {
 
-class TwinChip final : public cosim::HostedTwin<Lm628Chip, Board, exact::Lm628> {
+class TwinChip final : public cosim::HostedTwin<Lm628Chip, Surroundings, exact::Lm628> {
  public:
   explicit TwinChip(const PartOptions& part)
       : HostedTwin(exact::Lm628(clock_of(part.clock_MHz))) {
-    state_ = Board(part);
+    state_ = Surroundings(part);
     in_.wrap = part.wrap;
     reset();
   }

@@ -21,8 +21,8 @@ from interrupt import interrupt
 
 import trammel
 from trammel import _core, command_line
-from trammel.asked import text_of
 from trammel.results import Column, Result
+from trammel.run_settings import text_of
 
 PROGRAM = ""
 

@@ -14,8 +14,8 @@ from pathlib import Path
 
 from trammel import _core
 from trammel._core import ConfigError, ToolMissing
-from trammel.asked import SettingError, keys, run, scenarios, settings
 from trammel.results import Figure, Result, compare
+from trammel.run_settings import SettingError, keys, run, scenarios, settings
 from trammel.step import Simulation, Snapshot, open, restore
 
 _data = Path(__file__).parent / "data" / "machines"

@@ -8,8 +8,8 @@ from functools import cached_property
 from typing import NamedTuple
 
 from trammel import _core
-from trammel.asked import SettingError, asked_of
 from trammel.results import Figure, Result
+from trammel.run_settings import SettingError, settings_of
 
 
 class _Field(NamedTuple):
@@ -71,7 +71,7 @@ class Simulation:
 
     @property
     def outputs(self) -> int:
-        """Pins of the chip toward the machine, gates among them: one bit each, as in lines.hpp of
+        """Pins of the chip toward the machine, gates among them: one bit each, as in pins.hpp of
         the machine."""
         return self._run.drive
 
@@ -207,7 +207,7 @@ class Simulation:
 
 def open(scenario: str | os.PathLike | _core.Settings, /, **keys) -> Simulation:
     """Begins a simulation that stands until advance() is called; arguments as of settings()."""
-    return Simulation(asked_of(scenario, keys))
+    return Simulation(settings_of(scenario, keys))
 
 
 def restore(snapshot: Snapshot) -> Simulation:

@@ -11,7 +11,7 @@
 #include "sw_nios/path/points.hpp"
 #include "sw_nios/path/square.hpp"
 #include "sw_nios/path/star.hpp"
-#include "sw_nios/path/sweep.hpp"
+#include "sw_nios/path/stepped_sine.hpp"
 #include "sw_nios/path/window.hpp"
 
 namespace trammel::sw {
@@ -26,7 +26,7 @@ struct PathSetup {
   Star::Setup star;
   Square::Setup square;
   Line::Setup line;
-  Sweep::Setup sweep;
+  SteppedSine::Setup sweep;
   const Point* points = nullptr;  // not owned: must outlive the trajectory
   std::uint32_t n_points = 0;
   FeedPath::Setup feed;    // lists not owned either, and planned (feed_plan.hpp)
@@ -97,7 +97,7 @@ class Trajectory {
   Square square_;
   Line line_;
   Points points_;
-  Sweep sweep_;
+  SteppedSine sweep_;
   Feed feed_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Random traffic on every pin of the chip beside its twin, with the promises of all blocks checked
-// at each evaluated clock; after every second reset the clocks of resting domains are gated. For
-// more of it, or other: TRAMMEL_TEST_TRANSFERS, TRAMMEL_TEST_SEED.
+// Random traffic on every pin of the chip beside its twin, with the assertions of all blocks
+// checked at each evaluated clock; after every second reset the clocks of resting domains are
+// gated. For more of it, or other: TRAMMEL_TEST_TRANSFERS, TRAMMEL_TEST_SEED.
 #include <Vkung_xy.h>
 
 #include <catch2/catch.hpp>

@@ -153,7 +153,7 @@ struct Visited {
 using Audited = cosim::AuditedChip<Counter, Visited>;
 
 // The failed assertion, if any, after some runs with a transfer and a changed pin between.
-std::optional<cosim::BrokenPromise> audited(const Faults& wrong) {
+std::optional<cosim::FailedAssertion> audited(const Faults& wrong) {
   faults = wrong;
   Audited chip;
   const test::NoPlant plant;
@@ -163,7 +163,7 @@ std::optional<cosim::BrokenPromise> audited(const Faults& wrong) {
   chip.request({0, 40, true});
   while (chip.now() < 1000) chip.run(1000, plant);
   faults = {};
-  return chip.broken_promise();
+  return chip.failed_assertion();
 }
 
 }  // namespace

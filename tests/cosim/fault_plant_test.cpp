@@ -8,7 +8,7 @@
 
 #include "cosim/fault_plant.hpp"
 #include "cosim/fault_watch.hpp"
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "tests/cosim/fault_pins.hpp"
 #include "tests/cosim/still_chip.hpp"
 #include "tests/support/message.hpp"

@@ -28,12 +28,12 @@ class Plain final : public SampledSession {
   int recorded = 0;
 
   explicit Plain(const Hooks& hooks = {}, const Fault& fault = {})
-      : SampledSession(hooks, RunBasics(), fault, ProcessorOptions(), Waves()) {
+      : SampledSession(hooks, RunOptions(), fault, ProcessorOptions(), Waves()) {
     wire(chip_, plant_);
     watch_trips();
   }
   explicit Plain(double record_s)
-      : SampledSession(record_s, {}, RunBasics(), {}, ProcessorOptions(), Waves()) {
+      : SampledSession(record_s, {}, RunOptions(), {}, ProcessorOptions(), Waves()) {
     wire(chip_, plant_);
   }
 

@@ -271,7 +271,7 @@ TEST_CASE("a window counts from the start event, from the run's begin, or repeat
                {-2e-3, 0, 0.1, false, 0, 4'900'000, 5'000'000, 5'000'000},
                {-2e-3, 2e-8, 0.1, false, 0, -100'000, 1, 5'000'000}};
   for (const auto& one : cases) {
-    RunBasics run;
+    RunOptions run;
     run.wave = WaveFormat::kFst;
     run.wave_pre_s = 2e-4;
     run.wave_begin_s = one.begin_s;

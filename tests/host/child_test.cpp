@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "tests/support/files.hpp"
+#include "tests/support/printed.hpp"
 #include "tests/support/scratch.hpp"
-#include "tests/support/told.hpp"
 
 using namespace trammel;
 using host::Child;
@@ -82,7 +82,7 @@ TEST_CASE("a program works in its folder, with our pipe and no other stream of o
   std::string read, shown;
   const std::string streams = "pwd -P; readlink /proc/$$/fd/0 /proc/$$/fd/2; echo lost >&2; "
                               "read -r line || echo no input";
-  shown = test::told([&] {
+  shown = test::on_stderr([&] {
     Child child(shell(streams), Pipe::kFromOutput, scratch.path);
     REQUIRE(child.pipe() != nullptr);
     read = all_of(child.pipe());
@@ -90,7 +90,7 @@ TEST_CASE("a program works in its folder, with our pipe and no other stream of o
   });
   CHECK(read == scratch.path.string() + "\n/dev/null\n/dev/null\nno input\n");
   CHECK(shown == "");
-  shown = test::printed([&] {
+  shown = test::on_stdout([&] {
     Child child(shell("read -r line; echo lost; echo \"$line\" > line"), Pipe::kToInput,
                 scratch.path);
     REQUIRE(child.pipe() != nullptr);

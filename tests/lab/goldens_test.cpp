@@ -116,10 +116,10 @@ std::string keys_text(const lab::Machine& machine) {
 std::string ends_text(const lab::Machine& machine) {
   using End = cosim::EndReason;
   const auto settings = lab::load_scenario(lab::find_scenario(test::scenario_of(machine)));
-  const auto result = test::short_result(*settings, End::kPromise);
+  const auto result = test::short_result(*settings, End::kAssertion);
   std::string text = "  ends of a run:\n";
   CHECK(machine.verdict(*settings, *result) ==
-        "assertion failed: " + lab::promise_text(*result->promise, result->clock_ps));
+        "assertion failed: " + lab::assertion_text(*result->assertion, result->clock_ps));
   for (const End end : {End::kDone, End::kMissed, End::kFault, End::kDiverged, End::kTimeout,
                         End::kStopped}) {
     result->end = end;

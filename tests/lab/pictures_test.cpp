@@ -15,9 +15,9 @@
 #include "lab/scenarios.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/printed.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"
-#include "tests/support/told.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -73,7 +73,7 @@ TEST_CASE("gnuplot is given the settings, the title and the samples that are wor
       return record;
     };
     std::string told;
-    told = test::told([&] { test::printed([&] { test::run(arguments, simulate); }); });
+    told = test::on_stderr([&] { test::on_stdout([&] { test::run(arguments, simulate); }); });
     if (drawn.last < drawn.first + 2) {
       CHECK_THAT(told, Contains("no pictures: there is nothing to draw"));
       continue;
@@ -102,8 +102,8 @@ TEST_CASE("a gnuplot that fails, or leaves half a picture, is told") {
     arguments.report = false;
     const auto told = [&](const char* body) {
       scratch.gnuplot(body);
-      return test::told([&] {
-        test::printed([&] { test::run(arguments, test::ending(cosim::EndReason::kDone)); });
+      return test::on_stderr([&] {
+        test::on_stdout([&] { test::run(arguments, test::ending(cosim::EndReason::kDone)); });
       });
     };
     if (told("cat > /dev/null; exit 1").find("nothing to draw") != std::string::npos) continue;

@@ -115,11 +115,11 @@ TEST_CASE("figures of a companion are printed unless its machine compares them b
 }
 
 TEST_CASE("a broken assertion is told with its instance, or else as of the chip") {
-  cosim::BrokenPromise promise{"no_shoot_through", "chip.u_leg", "leg.sv:7", 50000};
-  CHECK(lab::promise_text(promise, 20'000) ==
+  cosim::FailedAssertion assertion{"no_shoot_through", "chip.u_leg", "leg.sv:7", 50000};
+  CHECK(lab::assertion_text(assertion, 20'000) ==
         "no_shoot_through of chip.u_leg at 0.00100000 s, clock 50000 (leg.sv:7)");
-  promise.instance.clear();
-  CHECK(lab::promise_text(promise, 20'000) ==
+  assertion.instance.clear();
+  CHECK(lab::assertion_text(assertion, 20'000) ==
         "no_shoot_through of the chip at 0.00100000 s, clock 50000 (leg.sv:7)");
 }
 
@@ -134,8 +134,8 @@ TEST_CASE("what ended a run is told by its fault, or its promise before that") {
   CHECK(lab::cause_text(result) == " by a limit");
   result.end = EndReason::kMissed;
   CHECK(lab::cause_text(result) == ": a limit");
-  result.promise = {"no_shoot_through", "", "leg.sv:7", 50000};
-  CHECK(lab::cause_text(result) == ": " + lab::promise_text(*result.promise, result.clock_ps));
+  result.assertion = {"no_shoot_through", "", "leg.sv:7", 50000};
+  CHECK(lab::cause_text(result) == ": " + lab::assertion_text(*result.assertion, result.clock_ps));
 }
 
 TEST_CASE("each end of a run has its own word and the exit code of its kind") {
@@ -149,7 +149,7 @@ TEST_CASE("each end of a run has its own word and the exit code of its kind") {
               {EndReason::kMissed, "missed", 5},
               {EndReason::kTimeout, "timeout", 5},
               {EndReason::kStopped, "interrupted", 130},
-              {EndReason::kPromise, "assertion failed", 4}};
+              {EndReason::kAssertion, "assertion failed", 4}};
   for (const auto& one : ends) {
     INFO("the end that is called " << one.text);
     CHECK(std::string(lab::end_text(one.end)) == one.text);
@@ -162,7 +162,7 @@ TEST_CASE("a run that did not end well is compared with nothing") {
   each_compared([&](const lab::Settings& settings, const auto& wanted) {
     for (const EndReason end : {EndReason::kDone, EndReason::kFault, EndReason::kDiverged,
                                 EndReason::kMissed, EndReason::kTimeout, EndReason::kStopped,
-                                EndReason::kPromise}) {
+                                EndReason::kAssertion}) {
       INFO("a run that ended as " << lab::end_text(end));
       std::size_t runs = 0;
       const lab::Record record = short_record(settings, end, EndReason::kDone, runs);

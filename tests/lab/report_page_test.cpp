@@ -215,7 +215,7 @@ TEST_CASE("a page holds no address to load from") {
 TEST_CASE("runs have a page however they ended, without samples too") {
   each_machine([](const Machine& machine, const fs::path& base) {
     for (const EndReason end : {EndReason::kFault, EndReason::kDiverged, EndReason::kTimeout,
-                                EndReason::kStopped, EndReason::kPromise}) {
+                                EndReason::kStopped, EndReason::kAssertion}) {
       CAPTURE(end_text(end));
       run_to(base / end_text(end), machine, end);
       CHECK(fs::exists(base / end_text(end) / "report.html"));

@@ -15,9 +15,9 @@
 #include "lab/machine.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/printed.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"
-#include "tests/support/told.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -356,7 +356,7 @@ TEST_CASE("a run that was interrupted before its window has no other reason for 
                                                        const cosim::Hooks&) {
         return judged(settings.clone(), test::short_result(settings, end));
       };
-      told = test::told([&] { run_to(base / "a", machine, arguments, simulate); });
+      told = test::on_stderr([&] { run_to(base / "a", machine, arguments, simulate); });
       CHECK_THAT(told, Contains(why));
     }
   });

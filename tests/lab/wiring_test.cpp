@@ -118,8 +118,8 @@ struct ToySession final : Session, Observer {
   }
 };
 
-RunBasics with_waves(const std::string& trigger) {
-  RunBasics run;
+RunOptions with_waves(const std::string& trigger) {
+  RunOptions run;
   run.platform = Platform::kDirect;
   run.wave = WaveFormat::kFst;
   run.wave_trigger = trigger;
@@ -184,7 +184,7 @@ TEST_CASE("the bus of SystemC takes words at addresses of words, and names any o
   const auto run = [](const Start& start) {
     ToySession session;
     session.code.begin = start;
-    lab::run_session(session, RunBasics());
+    lab::run_session(session, RunOptions());
     return std::pair{session.chip.word, session.chip.from};
   };
   for (const std::uint32_t address : {0u, 4u, 0x210u}) {
@@ -246,7 +246,7 @@ TEST_CASE("a processor takes the same clocks in SystemC as without, whatever fau
           bus.write(kClear, bus.read(0x44));
           bus.write(0x10, 7);
         };
-        RunBasics run;
+        RunOptions run;
         run.platform = platform;
         lab::run_session(session, run);
         session.chip.events.push_back(fmt::format("end {}", session.chip.now()));

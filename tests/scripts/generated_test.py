@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Check that `--check` of gen-regs and gen-sine refuses what is stale, in a copy of the sources.
+"""Check that `--check` of gen-register-map and gen-sine refuses stale files, in a copy of the
+sources.
 
 Exit codes: 0 each is refused, 1 one is not, 3 PeakRDL is missing (77 under CTest).
 """
@@ -18,20 +19,21 @@ from trammel_tools.paths import ROOT
 COPIED = ["scripts", "rtl/chips", "rtl/pkg", "rtl/math", "docs/registers"]
 GENERATED = "rtl/chips/generated"
 CASES = [  # what, tool, file, what becomes what there (no new text: the file goes), files named
-    ("nothing", "gen-regs", None, "", "", []),
-    ("another reset value in the map", "gen-regs", "rtl/chips/kung_xy.rdl",
+    ("nothing", "gen-register-map", None, "", "", []),
+    ("another reset value in the map", "gen-register-map", "rtl/chips/kung_xy.rdl",
      "mant[10:0] = 768", "mant[10:0] = 769",
      [f"{GENERATED}/kung_xy_regs.sv", f"{GENERATED}/kung_xy_regs.hpp",
       "docs/registers/kung_xy.md"]),
-    ("another signal behind a field", "gen-regs", "rtl/chips/kung_xy.rdl",
+    ("another signal behind a field", "gen-register-map", "rtl/chips/kung_xy.rdl",
      "u_afc.de_q", "u_afc.e_q", [f"{GENERATED}/kung_xy_signals.hpp"]),
-    ("another description", "gen-regs", "rtl/chips/mcafee_xy.rdl", '"pin HI of X"', '"pin HI of Y"',
+    ("another description", "gen-register-map", "rtl/chips/mcafee_xy.rdl",
+     '"pin HI of X"', '"pin HI of Y"',
      [f"{GENERATED}/mcafee_xy_regs.hpp", "docs/registers/mcafee_xy.md"]),
-    ("another address in the header", "gen-regs", f"{GENERATED}/mcafee_xy_regs.hpp",
+    ("another address in the header", "gen-register-map", f"{GENERATED}/mcafee_xy_regs.hpp",
      "kStatus = 0x0Cu", "kStatus = 0x10u", [f"{GENERATED}/mcafee_xy_regs.hpp"]),
-    ("another width in the package", "gen-regs", f"{GENERATED}/kung_xy_regs_pkg.sv",
+    ("another width in the package", "gen-register-map", f"{GENERATED}/kung_xy_regs_pkg.sv",
      "logic [31:0] next", "logic [30:0] next", [f"{GENERATED}/kung_xy_regs_pkg.sv"]),
-    ("no page", "gen-regs", "docs/registers/mcafee_xy.md", "", None,
+    ("no page", "gen-register-map", "docs/registers/mcafee_xy.md", "", None,
      ["docs/registers/mcafee_xy.md"]),
     ("nothing", "gen-sine", None, "", "", []),
     ("another value of the sine", "gen-sine", "rtl/math/sine_pkg.sv", "12'd0013", "12'd0014",

@@ -30,8 +30,8 @@ inline std::unique_ptr<cosim::RunResult> short_result(const lab::Settings& setti
   asked->run.max_s = 0.02;
   auto result = std::move(lab::run(*asked).result);
   result->end = end;
-  if (end == cosim::EndReason::kPromise) {
-    result->promise = {"no_shoot_through", "chip.u_leg", "drive/gate_leg_props.sv:7", 617283};
+  if (end == cosim::EndReason::kAssertion) {
+    result->assertion = {"no_shoot_through", "chip.u_leg", "drive/gate_leg_props.sv:7", 617283};
   }
   return result;
 }

@@ -16,7 +16,7 @@ namespace trammel::test {
 // Every column of every sample, and the energy from the supply.
 template <class Options, class Result>
 void check_equal(const Options& options, const Result& is, const Result& wanted) {
-  CHECK_FALSE(is.promise);
+  CHECK_FALSE(is.assertion);
   CHECK(is.end == wanted.end);
   CHECK(is.event_hash == wanted.event_hash);
   CHECK(is.supplied_J == wanted.supplied_J);

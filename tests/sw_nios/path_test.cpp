@@ -321,7 +321,7 @@ TEST_CASE("tones of a sweep that round to the same period are played once, and n
   auto setup = of(sw::Path::kSweep);
   setup.sweep = {{0, 0}, {0, 0}, 6, 3865470566, 20, 1};  // by 0.9: 6, 5.4, 4.9, 4.4, 3.9, ...
   std::vector<std::uint32_t> periods;
-  for (sw::Sweep::Tones tones(setup.sweep); !tones.ended(); tones.next()) {
+  for (sw::SteppedSine::Tones tones(setup.sweep); !tones.ended(); tones.next()) {
     periods.push_back(tones.tone().period);
   }
   CHECK(periods == std::vector<std::uint32_t>{6, 5, 4});

@@ -21,8 +21,8 @@
 #include "lab/settings.hpp"
 #include "lab/write.hpp"
 #include "testbench/run.hpp"
+#include "tests/support/printed.hpp"
 #include "tests/support/scratch.hpp"
-#include "tests/support/told.hpp"
 
 using namespace trammel;
 using Catch::Contains;
@@ -30,7 +30,7 @@ using Catch::Contains;
 namespace {
 
 std::string listed(const std::string& topic, const std::string& machine, bool json) {
-  return test::printed([&] { CHECK(testbench::list(topic, machine, json) == 0); });
+  return test::on_stdout([&] { CHECK(testbench::list(topic, machine, json) == 0); });
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ TEST_CASE("a trigger takes the range of its signal that is listed, both ends and
   for (const lab::Machine* const machine : lab::machines()) {
     const cosim::TriggerForms& forms = machine->traces.triggers();
     const std::string text =
-        test::printed([&] { CHECK(testbench::list("signals", machine->name, true) == 0); });
+        test::on_stdout([&] { CHECK(testbench::list("signals", machine->name, true) == 0); });
     const auto listed = nlohmann::json::parse(text);
     REQUIRE(listed.size() == forms.signals.size());
     for (const auto& one : listed) {
@@ -173,7 +173,7 @@ TEST_CASE("the doctor names each program that is missing, and exits with 0 witho
   const test::Scratch scratch("doctor_test_out");
   const test::NoPrograms none;
   int code = 0;
-  const std::string told = test::printed([&] { code = testbench::doctor(true); });
+  const std::string told = test::on_stdout([&] { code = testbench::doctor(true); });
   CHECK(code == 0);
   const auto tools = nlohmann::json::parse(told)["tools"];
   REQUIRE(tools.size() >= 3);
@@ -189,7 +189,7 @@ TEST_CASE("the doctor names each program that is missing, and exits with 0 witho
     std::ofstream(scratch.path / name) << "#!/bin/sh\n";
     chmod((scratch.path / name).c_str(), 0755);
   }
-  const std::string all = test::printed([&] { code = testbench::doctor(false); });
+  const std::string all = test::on_stdout([&] { code = testbench::doctor(false); });
   CHECK(code == 0);
   for (const auto& [name, where] : tools.items()) {  // however long it is, its use stands behind
     CHECK_THAT(all, Contains((scratch.path / name).string() + ' '));
@@ -197,14 +197,14 @@ TEST_CASE("the doctor names each program that is missing, and exits with 0 witho
   for (const auto& [name, where] : tools.items()) {
     INFO("without " << name);
     chmod((scratch.path / name).c_str(), 0644);  // no program
-    const std::string text = test::printed([&] { code = testbench::doctor(false); });
+    const std::string text = test::on_stdout([&] { code = testbench::doctor(false); });
     CHECK(code == 0);
     const std::string line = text.substr(text.find("\n" + name) + 1);
     CHECK_THAT(line.substr(0, line.find('\n')), Contains(" missing ") && Contains(" optional: "));
     chmod((scratch.path / name).c_str(), 0755);
   }
   lab::take_data_from((scratch.path / "none").string());  // the last: no scenario is left
-  const std::string text = test::printed([&] { code = testbench::doctor(false); });
+  const std::string text = test::on_stdout([&] { code = testbench::doctor(false); });
   CHECK(code == 3);
   CHECK_THAT(text, Contains("\n0 scenarios in " + (scratch.path / "none").string()));
 }

@@ -15,9 +15,9 @@
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/printed.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"
-#include "tests/support/told.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
@@ -44,7 +44,7 @@ TEST_CASE("a run prints its report, or one document, and the clock domains where
   auto arguments = arguments_for(test::scenario_of(first()), scratch.path / "a");
   arguments.report = false;
   const auto printed = [&](EndReason end) {
-    return test::printed([&] { test::run(arguments, ending(end)); });
+    return test::on_stdout([&] { test::run(arguments, ending(end)); });
   };
   const std::string text = printed(EndReason::kDone);
   CHECK_THAT(text, Catch::StartsWith(arguments.scenario) && Contains("results in ") &&
@@ -66,9 +66,9 @@ TEST_CASE("the run's own end is told before that of what it is compared with") {
   auto arguments = arguments_for(test::scenario_of(first()), scratch.path / "a");
   arguments.report = false;
   for (const auto& [own, beside, code] :
-       {std::tuple{EndReason::kDone, EndReason::kPromise, 4},
-        {EndReason::kFault, EndReason::kDone, 5}, {EndReason::kFault, EndReason::kPromise, 5},
-        {EndReason::kPromise, EndReason::kFault, 4}, {EndReason::kDone, EndReason::kDone, 0}}) {
+       {std::tuple{EndReason::kDone, EndReason::kAssertion, 4},
+        {EndReason::kFault, EndReason::kDone, 5}, {EndReason::kFault, EndReason::kAssertion, 5},
+        {EndReason::kAssertion, EndReason::kFault, 4}, {EndReason::kDone, EndReason::kDone, 0}}) {
     const Simulate simulate = [own = own, beside = beside](const lab::Settings& settings,
                                                            const cosim::Hooks&) {
       lab::Record record = test::short_run(settings, own);
@@ -79,7 +79,7 @@ TEST_CASE("the run's own end is told before that of what it is compared with") {
     CAPTURE(lab::end_text(own), lab::end_text(beside));
     int got = -1;
     const std::string told =
-        test::told([&] { test::printed([&] { got = test::run(arguments, simulate); }); });
+        test::on_stderr([&] { test::on_stdout([&] { got = test::run(arguments, simulate); }); });
     CHECK(got == code);
     const std::string name = "trammel: " + arguments.scenario;
     CHECK((told.find(fmt::format("{}: {}", name, lab::end_text(own))) != std::string::npos) ==
@@ -100,7 +100,7 @@ TEST_CASE("an interrupt behind the run is told, and no check of figures follows 
   };
   int code = 0;
   const std::string told =
-      test::told([&] { test::printed([&] { code = run(arguments, stop, simulate); }); });
+      test::on_stderr([&] { test::on_stdout([&] { code = run(arguments, stop, simulate); }); });
   CHECK(code == 130);
   CHECK_THAT(told, Contains(arguments.scenario + ": interrupted after the run; record kept in "));
   CHECK_THAT(told, Contains("no pictures: gnuplot is missing"));
@@ -115,11 +115,11 @@ TEST_CASE("experiments print a document each, under their own names, or their ta
   arguments.report = false;
   arguments.json = true;
   const auto printed = [&] {
-    return test::printed([&] { CHECK(test::run(arguments, ending(EndReason::kDone)) == 0); });
+    return test::on_stdout([&] { CHECK(test::run(arguments, ending(EndReason::kDone)) == 0); });
   };
   std::string told;
   json documents;
-  told = test::told([&] { documents = json::parse(printed()); });
+  told = test::on_stderr([&] { documents = json::parse(printed()); });
   REQUIRE(documents.size() == experiments.size());
   for (std::size_t k = 0; k < experiments.size(); ++k) {
     const std::string& name = experiments[k].name;
@@ -131,12 +131,12 @@ TEST_CASE("experiments print a document each, under their own names, or their ta
   CHECK_FALSE(fs::exists(scratch.path / "index.html"));
   arguments.json = false;
   std::string text;
-  test::told([&] { text = printed(); });
+  test::on_stderr([&] { text = printed(); });
   CHECK(text.find("report: ") == std::string::npos);
 }
 
 TEST_CASE("a page of experiments that cannot be made is told, and makes the exit code 2") {
-  for (const EndReason end : {EndReason::kDone, EndReason::kPromise}) {
+  for (const EndReason end : {EndReason::kDone, EndReason::kAssertion}) {
     const Scratch scratch;
     Arguments arguments = arguments_for("", scratch.path);
     arguments.all = true;
@@ -149,8 +149,8 @@ TEST_CASE("a page of experiments that cannot be made is told, and makes the exit
     };
     int code = 0;
     std::string printed;
-    const std::string told = test::told([&] {
-      printed = test::printed([&] { code = test::run(arguments, simulate); });
+    const std::string told = test::on_stderr([&] {
+      printed = test::on_stdout([&] { code = test::run(arguments, simulate); });
     });
     CHECK(code == (end == EndReason::kDone ? 2 : 4));
     CHECK_THAT(told, Contains("no report: ") && Contains("; the results are kept"));
@@ -188,7 +188,7 @@ TEST_CASE("experiments that are interrupted before the next one exit with 130 an
       return test::short_run(settings, EndReason::kDone);
     };
     int code = 0;
-    test::told([&] { test::printed([&] { code = run(arguments, stop, simulate); }); });
+    test::on_stderr([&] { test::on_stdout([&] { code = run(arguments, stop, simulate); }); });
     CHECK(code == 130);
     CHECK(runs == most);
     CHECK(test::entries(scratch.path) == most);
@@ -231,11 +231,11 @@ TEST_CASE("a page is told with its size") {
   const Scratch scratch;
   auto arguments = arguments_for(test::scenario_of(first()), scratch.path / "a");
   arguments.report = false;
-  test::printed([&] { REQUIRE(test::run(arguments, ending(EndReason::kDone)) == 0); });
+  test::on_stdout([&] { REQUIRE(test::run(arguments, ending(EndReason::kDone)) == 0); });
   Arguments asked;
   asked.folders = {(scratch.path / "a").string()};
   asked.json = true;
-  const json told = json::parse(test::printed([&] { CHECK(report(asked) == 0); }));
+  const json told = json::parse(test::on_stdout([&] { CHECK(report(asked) == 0); }));
   const fs::path page = scratch.path / "a" / "report.html";
   CHECK(told == json{{"page", page.string()}, {"bytes", fs::file_size(page)}});
 }

@@ -14,9 +14,9 @@
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/printed.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"
-#include "tests/support/told.hpp"
 #include "tests/support/variable.hpp"
 
 using namespace trammel;
@@ -101,7 +101,7 @@ TEST_CASE("how a run ended is its exit code, and its record is kept") {
   } ends[] = {{EndReason::kDone, 0, "done"},         {EndReason::kFault, 5, "tripped"},
               {EndReason::kDiverged, 5, "diverged"}, {EndReason::kTimeout, 5, "timeout"},
               {EndReason::kStopped, 130, "interrupted"},
-              {EndReason::kPromise, 4, "assertion failed"}};
+              {EndReason::kAssertion, 4, "assertion failed"}};
   each_machine([&](const lab::Machine& machine, const fs::path& base) {
     for (const auto& [end, code, text] : ends) {
       CAPTURE(text);
@@ -114,7 +114,7 @@ TEST_CASE("how a run ended is its exit code, and its record is kept") {
 
 TEST_CASE("a failed assertion is named in the record") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
-    CHECK(run_to(base / "a", machine, EndReason::kPromise) == 4);
+    CHECK(run_to(base / "a", machine, EndReason::kAssertion) == 4);
     const auto json = metrics_of(base / "a");
     CHECK(json["promise"]["name"] == "no_shoot_through");
     CHECK(json["promise"]["instance"] == "chip.u_leg");
@@ -269,7 +269,7 @@ TEST_CASE("a check exits 1 where a figure lies outside its tolerance") {
 
 TEST_CASE("a comparison run that did not end well sets the exit code") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
-    for (const auto& [end, code] : {std::pair{EndReason::kDone, 0}, {EndReason::kPromise, 4}}) {
+    for (const auto& [end, code] : {std::pair{EndReason::kDone, 0}, {EndReason::kAssertion, 4}}) {
       const Simulate simulate = [end = end](const lab::Settings& settings, const cosim::Hooks&) {
         lab::Record record = test::short_run(settings, EndReason::kDone);
         record.companions.push_back(test::short_run(settings, end));
@@ -310,7 +310,8 @@ TEST_CASE("the exit code of all experiments is the worst of theirs, whichever it
   const std::size_t count = lab::machines().front()->experiments.list.size();
   REQUIRE(count > 2);
   for (const std::size_t bad : {std::size_t{0}, count / 2, count - 1, count}) {
-    for (const auto& [end, code] : {std::pair{EndReason::kDiverged, 5}, {EndReason::kPromise, 4}}) {
+    for (const auto& [end, code] :
+         {std::pair{EndReason::kDiverged, 5}, {EndReason::kAssertion, 4}}) {
       const Scratch scratch;
       Arguments arguments = arguments_for("", scratch.path);
       arguments.all = true;
@@ -391,7 +392,7 @@ TEST_CASE("a page is beside its run, that of the latest where none is named; of 
     Arguments arguments;
     arguments.folders = one.folders;
     arguments.out = one.out;
-    CHECK(test::printed([&] { CHECK(report(arguments) == 0); }) == one.page + '\n');
+    CHECK(test::on_stdout([&] { CHECK(report(arguments) == 0); }) == one.page + '\n');
     CHECK(fs::exists(one.page));
   }
 }

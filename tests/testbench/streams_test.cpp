@@ -14,14 +14,14 @@
 #include <string>
 #include <system_error>
 
-#include "tests/support/told.hpp"
+#include "tests/support/printed.hpp"
 
 using namespace trammel;
 using Catch::Contains;
 
 // These are first: of a stream that takes no more nothing is asked again.
 TEST_CASE("of a result no control character reaches a terminal, lines and columns do") {
-  CHECK(test::printed([] { testbench::print("a\x1b[31m\n\tb\r\x7f\n"); }) ==
+  CHECK(test::on_stdout([] { testbench::print("a\x1b[31m\n\tb\r\x7f\n"); }) ==
         "a\\u001b[31m\n\tb\\u000d\\u007f\n");
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("a result that standard output does not take makes the exit code 2, wi
   const int full = open("/dev/full", O_WRONLY);
   dup2(full, STDOUT_FILENO);
   int code = 0;
-  const std::string told = test::told([&] {
+  const std::string told = test::on_stderr([&] {
     testbench::print("a result\n");
     code = testbench::settled(0);
     testbench::print("another\n");
@@ -92,13 +92,13 @@ TEST_CASE("a stream that is closed is one that takes and gives nothing, others s
 }
 
 TEST_CASE("messages are one line each, and the first of many warnings are told") {
-  CHECK(test::told([] { testbench::tell("a\x1b\nb"); }) == "trammel: a\\u001b\\u000ab\n");
+  CHECK(test::on_stderr([] { testbench::tell("a\x1b\nb"); }) == "trammel: a\\u001b\\u000ab\n");
   const std::vector<std::string> five{"1", "2", "3", "4", "5"};
-  CHECK(test::told([&] { testbench::tell_warnings("a", five); }) ==
+  CHECK(test::on_stderr([&] { testbench::tell_warnings("a", five); }) ==
         "trammel: a: 1\ntrammel: a: 2\ntrammel: a: 3\ntrammel: a: 4\ntrammel: a: 5\n");
   std::vector<std::string> seven = five;
   seven.insert(seven.end(), {"6", "7"});
-  CHECK(test::told([&] { testbench::tell_warnings("a", seven); }) ==
+  CHECK(test::on_stderr([&] { testbench::tell_warnings("a", seven); }) ==
         "trammel: a: 1\ntrammel: a: 2\ntrammel: a: 3\ntrammel: a: 4\ntrammel: a: 5\n"
         "trammel: a: and 2 more such warnings\n");
 }

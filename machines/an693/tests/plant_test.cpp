@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "machines/an693/session.hpp"
-#include "parts/lm628/board.hpp"
 #include "parts/lm628/host_port.hpp"
+#include "parts/lm628/surroundings.hpp"
 
 using namespace trammel;
 using an693::MotorPlant;
@@ -138,42 +138,42 @@ TEST_CASE("lm628 port strobes RST for 8 clocks of a part of 6 MHz") {
   CHECK(count(transfer(port, {sw::lm628_map::kIrq, 0, false}), idle) == 2);
 }
 
-TEST_CASE("lm628 board takes each half of the converter's word as WR rises, and no other byte") {
-  lm628::Board board;
-  CHECK(board.lines == lm628::kZeroCode);
-  CHECK_FALSE(board.output({0x15 << 2, false, false}));
-  CHECK_FALSE(board.output({0x15 << 2, false, true}));   // WR rises: the low half
-  CHECK_FALSE(board.output({0x3F << 2, false, true}));   // no strobe
-  CHECK_FALSE(board.output({0x2A << 2, true, false}));
-  CHECK(board.output({0x2A << 2, true, true}));          // the high half: the word is complete
-  CHECK(board.lines == (0x2A << 6 | 0x15));
-  CHECK_FALSE(board.output({0x01 << 2, true, true}));    // no strobe
+TEST_CASE("lm628 surroundings take each half of the converter's word as WR rises, no other byte") {
+  lm628::Surroundings surroundings;
+  CHECK(surroundings.lines == lm628::kZeroCode);
+  CHECK_FALSE(surroundings.output({0x15 << 2, false, false}));
+  CHECK_FALSE(surroundings.output({0x15 << 2, false, true}));  // WR rises: the low half
+  CHECK_FALSE(surroundings.output({0x3F << 2, false, true}));  // no strobe
+  CHECK_FALSE(surroundings.output({0x2A << 2, true, false}));
+  CHECK(surroundings.output({0x2A << 2, true, true}));  // the high half: the word is complete
+  CHECK(surroundings.lines == (0x2A << 6 | 0x15));
+  CHECK_FALSE(surroundings.output({0x01 << 2, true, true}));  // no strobe
 }
 
 TEST_CASE("a converter of 8 bits has the byte at once, and zero while the part puts out low bits") {
   lm628::PartOptions part;
   part.dac_bits = 8;
-  lm628::Board board(part);
-  CHECK(board.lines == lm628::kZeroCode);
-  CHECK_FALSE(board.output({0x00, false, false}));  // of 800h, as the part leaves its reset
-  CHECK(board.output({0x81, true, true}));
-  CHECK(lm628::share_of_code(board.lines) == 1.0 / 128);
-  CHECK(board.output({0x00, true, true}));
-  CHECK(lm628::share_of_code(board.lines) == -1);
+  lm628::Surroundings surroundings(part);
+  CHECK(surroundings.lines == lm628::kZeroCode);
+  CHECK_FALSE(surroundings.output({0x00, false, false}));  // of 800h, as the part leaves its reset
+  CHECK(surroundings.output({0x81, true, true}));
+  CHECK(lm628::share_of_code(surroundings.lines) == 1.0 / 128);
+  CHECK(surroundings.output({0x00, true, true}));
+  CHECK(lm628::share_of_code(surroundings.lines) == -1);
 }
 
 TEST_CASE("an LM629 drives its bridge by sign and magnitude, whatever is on the converter's pins") {
   lm628::PartOptions part;
   part.variant = lm628::Variant::kLm629;
-  lm628::Board board(part);
-  CHECK(board.lines == 0);
-  CHECK_FALSE(board.output({0xFF, true, true, false, false}));
-  CHECK(board.output({0x80, true, true, true, false}));
-  CHECK(lm628::share_of_pulse(board.lines) == 1);
-  CHECK(board.output({0x80, true, true, true, true}));
-  CHECK(lm628::share_of_pulse(board.lines) == -1);
-  CHECK(board.output({0x80, true, true, false, true}));
-  CHECK(lm628::share_of_pulse(board.lines) == 0);
+  lm628::Surroundings surroundings(part);
+  CHECK(surroundings.lines == 0);
+  CHECK_FALSE(surroundings.output({0xFF, true, true, false, false}));
+  CHECK(surroundings.output({0x80, true, true, true, false}));
+  CHECK(lm628::share_of_pulse(surroundings.lines) == 1);
+  CHECK(surroundings.output({0x80, true, true, true, true}));
+  CHECK(lm628::share_of_pulse(surroundings.lines) == -1);
+  CHECK(surroundings.output({0x80, true, true, false, true}));
+  CHECK(lm628::share_of_pulse(surroundings.lines) == 0);
 }
 
 TEST_CASE("what is none of the permitted clocks and converters is refused by one line") {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cosim/trigger_search.hpp"
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 #include "machines/an693/session.hpp"
 #include "tests/support/event_record.hpp"
 #include "tests/support/message.hpp"

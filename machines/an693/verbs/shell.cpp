@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 
 namespace trammel::an693 {
 namespace {
@@ -82,9 +82,9 @@ void Shell::strobe_reset() {
 }
 
 void Shell::check_assertions() const {
-  if (const auto broken = bench_.chip().broken_promise()) {
-    throw Halt(EndReason::kPromise,
-               "assertion failed: " + lab::promise_text(*broken, bench_.period_ps()));
+  if (const auto broken = bench_.chip().failed_assertion()) {
+    throw Halt(EndReason::kAssertion,
+               "assertion failed: " + lab::assertion_text(*broken, bench_.period_ps()));
   }
 }
 

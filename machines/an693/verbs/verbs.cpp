@@ -12,7 +12,7 @@
 #include "lab/build_info.hpp"
 #include "lab/layers.hpp"
 #include "lab/write.hpp"
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 #include "machines/an693/verbs/shell.hpp"
 #include "testbench/run.hpp"
 
@@ -101,7 +101,7 @@ void converse(Shell& shell, const lm628::PartOptions& part, const ReadLine& read
 }
 
 // The time of an event is not known in advance, and a script is not run twice.
-void check_script_waves(const cosim::RunBasics& run, const std::string& out) {
+void check_script_waves(const cosim::RunOptions& run, const std::string& out) {
   if (run.wave == cosim::WaveFormat::kNone) return;
   if (out.empty()) throw ConfigError("lm628: --wave: needs a folder for the waves (-o)");
   if (cosim::trigger_asked(run) &&
@@ -205,7 +205,7 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
     }
     *result = shell->result();
   }  // its waves are whole
-  result->end = result->promise ? cosim::EndReason::kPromise : all.end;
+  result->end = result->assertion ? cosim::EndReason::kAssertion : all.end;
   result->fault = all.halt;
   const int code = lab::exit_code(result->end);
   // Why the script ended is told when its record is there: where that fails, this is the error.

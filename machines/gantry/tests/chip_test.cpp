@@ -7,9 +7,9 @@
 
 #include "cosim/trigger.hpp"
 #include "lab/record.hpp"
-#include "machines/gantry/board.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "machines/gantry/session.hpp"
+#include "machines/gantry/surroundings.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
 #include "models/exact/chips/gantry_tau.hpp"
 #include "models/exact/sense/calibration.hpp"
@@ -72,26 +72,26 @@ TEST_CASE("gantry: the engine that a run asks for is the one that it has") {
 TEST_CASE("gantry: the memory takes a word where it is written, and shows what is asked for") {
   ChipSetup setup;
   setup.store[7] = 0x5A5A;
-  Board board(setup);
+  Surroundings surroundings(setup);
   const auto code = [](int) { return 0; };
   exact::GantryTau::Out out;
   exact::GantryTau::In in;
   out.nv_addr_o = 7;
   out.nv_data_o = 0x1234;
-  CHECK(board.serve(out, in, code));
-  CHECK(board.nv_word() == 0x5A5A);
+  CHECK(surroundings.serve(out, in, code));
+  CHECK(surroundings.nv_word() == 0x5A5A);
   out.nv_valid_o = true;
-  CHECK_FALSE(board.serve(out, in, code));
-  CHECK(board.nv_word() == 0x5A5A);
+  CHECK_FALSE(surroundings.serve(out, in, code));
+  CHECK(surroundings.nv_word() == 0x5A5A);
   out.nv_write_o = true;
   out.nv_valid_o = false;
-  board.serve(out, in, code);
-  CHECK(board.nv_word() == 0x5A5A);
+  surroundings.serve(out, in, code);
+  CHECK(surroundings.nv_word() == 0x5A5A);
   out.nv_valid_o = true;
-  board.serve(out, in, code);
-  CHECK(board.nv_word() == 0x1234);
-  for (std::size_t k = 0; k < board.store.size(); ++k) {
-    CHECK(board.store[k] == (k == 7 ? 0x1234 : 0));
+  surroundings.serve(out, in, code);
+  CHECK(surroundings.nv_word() == 0x1234);
+  for (std::size_t k = 0; k < surroundings.store.size(); ++k) {
+    CHECK(surroundings.store[k] == (k == 7 ? 0x1234 : 0));
   }
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lab/record.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
 #include "machines/gantry/track.hpp"
 #include "machines/gantry/units.hpp"

@@ -12,7 +12,7 @@
 
 #include "lab/record.hpp"
 #include "machines/gantry/host.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
 #include "tests/support/message.hpp"
 

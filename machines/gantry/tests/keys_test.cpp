@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lab/layers.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "machines/gantry/tests/fake_chip.hpp"
 #include "sw_nios/apps/gantry/protocol.hpp"
 #include "tests/support/message.hpp"

@@ -12,7 +12,7 @@
 
 #include "cosim/trigger_search.hpp"
 #include "lab/record.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "machines/gantry/session.hpp"
 #include "machines/gantry/signals.hpp"
 #include "machines/gantry/tests/by_twin.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "lab/record.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "machines/gantry/plant.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
 #include "tests/support/figures.hpp"

@@ -8,7 +8,7 @@
 
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 
 namespace trammel::gantry_test {
 

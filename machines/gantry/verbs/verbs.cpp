@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/machine_members.hpp"
 #include "testbench/run.hpp"
 
 namespace trammel::gantry {

@@ -5,14 +5,14 @@
 #pragma once
 
 #include "cosim/verilated/bus_chip.hpp"
-#include "machines/gantry/board.hpp"
+#include "machines/gantry/surroundings.hpp"
 #include "machines/gantry/verilated/words.hpp"
 
 namespace trammel::gantry {
 
 template <class Model, class Tracer>
-class ChipModel : public cosim::BusChip<GantryChip, Board, Pins, Model, Tracer> {
-  using OnBus = cosim::BusChip<GantryChip, Board, Pins, Model, Tracer>;
+class ChipModel : public cosim::BusChip<GantryChip, Surroundings, Pins, Model, Tracer> {
+  using OnBus = cosim::BusChip<GantryChip, Surroundings, Pins, Model, Tracer>;
   using OnBus::model_;
   using OnBus::state_;
 

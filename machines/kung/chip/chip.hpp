@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cosim/cosim.hpp"
-#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/pins.hpp"
 #include "machines/kung/chip/record.hpp"
 #include "cosim/machine_chip.hpp"
 #include "cosim/trigger.hpp"
@@ -78,11 +78,10 @@ const cosim::TriggerForms& triggers();
 std::unique_ptr<KungChip> make_twin_chip();
 
 // As the run asks. An audited chip runs a plain and a leaping one in step; where a register, an
-// output or a stop differs, its promise leap_is_exact is broken. With a window its waves are dumped
-// into run.wave_file by a second chip in step; if they differ, the promise waves_are_exact is
-// broken.
+// output or a stop differs, the assertion leap_is_exact fails. With a window its waves are dumped
+// into run.wave_file by a second chip in step; if they differ, the assertion waves_are_exact fails.
 std::unique_ptr<KungChip> make_verilated_chip(
-    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {});
+    const cosim::RunOptions& run, const std::optional<cosim::WaveWindow>& window = {});
 
 // Shows every evaluated edge to a watcher.
 std::unique_ptr<KungChip> make_watched_chip(cosim::Watcher& watcher, bool leap);

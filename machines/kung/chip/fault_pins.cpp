@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/errors.hpp"
-#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/pins.hpp"
 #include "machines/kung/options.hpp"
 
 namespace trammel::kung {

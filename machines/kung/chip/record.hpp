@@ -124,7 +124,7 @@ struct GateWindow {
 };
 
 // A close look that the 2 kHz samples cannot give.
-struct Detail {
+struct Snapshot {
   std::array<RuleTable, 2> rules_first{};    // when point 0 of the path took effect
   std::array<RuleTable, 2> rules_last{};
   Moment moment;
@@ -172,7 +172,7 @@ struct Result : cosim::RunResult {
   double largest_mm = 0;          // contour error; of a square wave the error to the model
   std::array<AxisLoad, 2> load;   // over the path
   Fault fault;
-  Detail detail;
+  Snapshot snapshot;
   WakeCounts wakes{};             // why clocks were evaluated
   std::optional<std::array<AxisEstimate, 2>> estimates;  // at the end, of native firmware
   // Samples of the path, one after the other, with the estimated mass at the end of its range, and

@@ -9,13 +9,13 @@
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/judge/baseline.hpp"
 #include "machines/kung/judge/comparison.hpp"
-#include "machines/kung/judge/load.hpp"
+#include "machines/kung/judge/motor_load.hpp"
 #include "machines/kung/judge/paper.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/run/cpu.hpp"
-#include "machines/kung/run/followed.hpp"
 #include "machines/kung/run/make_plan.hpp"
+#include "machines/kung/run/outcome.hpp"
 #include "machines/kung/run/response.hpp"
 
 namespace trammel::kung {
@@ -212,7 +212,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   if (options.settle_s > 0) add_settling(list, options, result, range);
   add_peak("peak_current_A", "peak i_q of the samples", &AxisSignals::peak_current_A, "A", 2);
   add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);
-  add_load(list, options, result);
+  add_motor_load(list, options, result);
   if (path.is_sweep()) add_responses(list, *plan_of(options), result);
   std::vector<HalfPeriod> halves[2];
   for (std::size_t a = 0; a < 2 && square; ++a) {

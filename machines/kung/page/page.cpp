@@ -172,18 +172,19 @@ void complete(RunFolder& run) {
 }  // namespace
 
 Json detail_json(const Options& options, const Result& result) {
-  const Detail& detail = result.detail;
+  const Snapshot& snapshot = result.snapshot;
   Json json;
   for (std::size_t a = 0; a < 2; ++a) {
-    json["rules"][kAxes[a]] = {{"first", detail.rules_first[a]}, {"last", detail.rules_last[a]}};
+    json["rules"][kAxes[a]] = {{"first", snapshot.rules_first[a]},
+                               {"last", snapshot.rules_last[a]}};
   }
   // With other registers than the firmware's plan the chip computed something else.
   // The steps are those of the fuzzy controllers.
   const bool planned = options.controller != Controller::kPrecision &&
                        !options.fault.of_processor() && result.end != EndReason::kFault &&
                        options.fault.kind != cosim::FaultKind::kRegisterFlip;
-  json["moment"] = planned ? moment_json(options, detail.moment) : Json(nullptr);
-  json["gates"] = gates_json(detail.gates);
+  json["moment"] = planned ? moment_json(options, snapshot.moment) : Json(nullptr);
+  json["gates"] = gates_json(snapshot.gates);
   for (std::size_t a = 0; options.path.is_sweep() && a < 2; ++a) {
     for (const LoopResponse& loop : responses(*plan_of(options), result, a)) {
       json["response"][loop.loop][kAxes[a]] = response_json(loop.closed);

@@ -10,7 +10,7 @@
 #include "machines/kung/plan/believed.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/plan/parts.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "models/plant/ad7476.hpp"
 #include "models/plant/spans.hpp"
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "machines/kung/plan/parts.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 
 namespace trammel::kung {
 namespace {

@@ -66,8 +66,8 @@ inline std::string feed_text(const Encoder& encoder) {
                      encoder.max_feed_m_s(), encoder.count_m);
 }
 
-// sweep.cpp
-sw::Sweep::Setup plan_sweep(const Options& options, const Encoder& encoder);
+// stepped_sine.cpp
+sw::SteppedSine::Setup plan_stepped_sine(const Options& options, const Encoder& encoder);
 void check_sweep(const Options& options);  // that a response can be computed from its records
 
 }  // namespace trammel::kung

@@ -95,7 +95,7 @@ sw::PathSetup plan_path(const Options& options, const PathFile& file, const Enco
       s.points = store.points.data();
       s.n_points = static_cast<std::uint32_t>(store.points.size());
       break;
-    case PathKind::kSweep: s.sweep = plan_sweep(options, encoder); break;
+    case PathKind::kSweep: s.sweep = plan_stepped_sine(options, encoder); break;
     case PathKind::kFeed: break;  // G-code, which the feed profile drives
   }
   const bool square = p.kind == PathKind::kSquare;

@@ -12,7 +12,7 @@
 #include "machines/kung/plan/believed.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/plan/parts.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "models/ideal/normal_equations.hpp"
 
 namespace trammel::kung {
@@ -272,7 +272,7 @@ AxisEstimate estimate_of(const Options& options, std::size_t axis,
 AxisEstimate told_estimate(const Options& options, std::size_t axis, const AxisLaw& law) {
   const ThetaUnits units(believed_motor(options, axis));
   AxisEstimate e;
-  // What the firmware does (sw_nios/apps/kung/precision_words.hpp), backward.
+  // What the firmware does (sw_nios/apps/kung/precision_values.hpp), backward.
   e.mass_kg = std::ldexp(law.km.value(), 18 + static_cast<int>(units.accel_shift)) / units.mass;
   e.viscous_N_s_m =
       std::ldexp(law.kb.value(), 10 + static_cast<int>(units.speed_shift)) / units.viscous;

@@ -11,7 +11,7 @@
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/plan/parts.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/precision/plan.hpp"
 #include "models/exact/control/precision.hpp"

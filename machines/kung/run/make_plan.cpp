@@ -14,7 +14,7 @@
 #include "machines/kung/plan/axis.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/plan/parts.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "machines/kung/precision/plan.hpp"
 #include "machines/kung/run/cpu.hpp"
 #include "models/exact/drive/carrier.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "cosim/fault_plant.hpp"
-#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/pins.hpp"
 #include "machines/kung/options.hpp"
 
 namespace trammel::kung {

@@ -55,8 +55,8 @@ std::vector<LoopResponse> responses(const Plan& plan, const Result& result, std:
   const int hold = options.chip.carrier_Hz / options.chip.position_Hz;
   const Range range = counted(result);
   std::size_t k = range.first;
-  for (sw::Sweep::Tones tones(setup.sweep); !tones.ended(); tones.next()) {
-    const sw::Sweep::Tone tone = tones.tone();
+  for (sw::SteppedSine::Tones tones(setup.sweep); !tones.ended(); tones.next()) {
+    const sw::SteppedSine::Tone tone = tones.tone();
     const double hz = 1.0 * options.chip.position_Hz / tone.period;
     if (k + 2 * tone.settle > range.last) break;
     for (std::uint32_t n = 0; n < tone.settle; ++n) path.next();

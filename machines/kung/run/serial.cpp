@@ -10,7 +10,7 @@
 
 #include <cstdio>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 
 namespace trammel::kung {
 namespace {

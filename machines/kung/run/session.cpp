@@ -34,10 +34,10 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   const sw::Trajectory path(setup);
   const sw::Point start = path.start();
   path_points_ = path.size();
-  followed_.emplace(*plan_);
-  asked_.emplace(path, static_cast<std::uint32_t>(ticks_per_point(options_)),
-                 options_.plant.axis[0].encoder_count_m,
-                 contour_reach(options_.lag_s(), options_.chip.sample_s()));
+  outcome_.emplace(*plan_);
+  commanded_.emplace(path, static_cast<std::uint32_t>(ticks_per_point(options_)),
+                     options_.plant.axis[0].encoder_count_m,
+                     contour_reach(options_.lag_s(), options_.chip.sample_s()));
   options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
   options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
   plant_ = std::make_unique<TablePlant>(options_.run.clocked(options_.plant));
@@ -55,14 +55,14 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          options_.controller == Controller::kPrecision,
                                          [this](const Sample& sample) { return over(sample); });
-  detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table(),
-                                             options_.run.clocks(1.0 / options_.chip.carrier_Hz));
+  snapshot_ = std::make_unique<SnapshotRecorder>(
+      *chip_, plant_->table(), options_.run.clocks(1.0 / options_.chip.carrier_Hz));
   watch_trips();
   wire(*chip_, *plant_, fault_pins(options_));
 }
 
 void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) {
-  detail_->on(stop, chip, plant);
+  snapshot_->on(stop, chip, plant);
   recorder_->on(stop, chip, plant);
   // A trip turns the gates off and interrupts: their own many changes tell nothing more.
   const bool trips = !options_.fault.any() || options_.fault.kind == cosim::FaultKind::kTripPin ||
@@ -79,7 +79,7 @@ cosim::FaultSpan Session::hung() const {
 }
 
 std::unique_ptr<KungChip> Session::make_chip() {
-  const cosim::RunBasics& run = options_.run;
+  const cosim::RunOptions& run = options_.run;
   if (run.engine == Engine::kTwin) return make_twin_chip();
   if (waves_.search != nullptr) return make_watched_chip(*waves_.search, run.leap);
   return make_verilated_chip(run, waves_.window);
@@ -102,7 +102,7 @@ void Session::core_ran(const cosim::CoreTimes& times) {
   if (console_) result_.uart = console_->heard();
 }
 
-std::string Session::noticed() const {
+std::string Session::detected_by() const {
   const Fault fault = chip_->fault();
   return fault.code != FaultCode::kNone ? cause_text(fault) : check_text(mailbox());
 }
@@ -137,7 +137,7 @@ cosim::ProcessorTiming Session::timing() const {
 
 bool Session::over(const Sample& sample) {
   if (waves_.found()) return true;
-  if (chip_->broken_promise()) return true;
+  if (chip_->failed_assertion()) return true;
   const auto period = static_cast<std::uint32_t>(ticks_per_point(options_));
   const sw::Mailbox& mail = mailbox();
   const Fault fault = chip_->fault();
@@ -160,7 +160,7 @@ bool Session::over(const Sample& sample) {
     result_.swing_m = swing;
     return true;
   }
-  if (result_.points == 0) detail_->path_begins();
+  if (result_.points == 0) snapshot_->path_begins();
   result_.first_tick = mail.first_tick;
   result_.points = mail.point;
   result_.end_tick = result_.first_tick + path_points_ * period;
@@ -177,8 +177,8 @@ bool Session::over(const Sample& sample) {
   if (sample.tick >= result_.first_tick && !options_.path.is_sweep()) {
     const PointM table{sample.axis[0].x_true_m, sample.axis[1].x_true_m};
     const double beside =
-        asked_->distance_m(table, std::min(followed_->limit_m(), options_.diverged_m));
-    followed_->add(table, beside);
+        commanded_->distance_m(table, std::min(outcome_->limit_m(), options_.diverged_m));
+    outcome_->add(table, beside);
     if (beside > options_.diverged_m) {
       end_ = EndReason::kDiverged;
       result_.beside_m = beside;
@@ -207,9 +207,9 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result_.samples = recorder_->take_samples();
   result_.laws = recorder_->take_laws();
   result_.event_hash = recorder_->event_hash();
-  result_.detail = detail_->take();
+  result_.snapshot = snapshot_->take();
   result_.wakes = chip_->wakes();
-  result_.from_last_m = followed_->from_m(asked_->asked());
+  result_.from_last_m = outcome_->from_m(commanded_->commanded());
   if (options_.controller == Controller::kPrecision && !core_) {
     const sw::KungMailbox& found = firmware_->mailbox();
     result_.estimates = {estimate_of(options_, 0, found.estimator(0)),
@@ -222,14 +222,15 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     }
     result_.missed = options_.path.is_sweep()
                          ? unmeasured(*plan_, result_)
-                         : followed_->missed(result_.points, path_points_, asked_->asked(),
-                                             asked_->asked(model_lag(options_)), result_.error_m);
+                         : outcome_->missed(result_.points, path_points_, commanded_->commanded(),
+                                            commanded_->commanded(model_lag(options_)),
+                                            result_.error_m);
     if (!result_.missed.empty()) result_.end = EndReason::kMissed;
   }
   complete(result_);
-  if (core_ && !core_->moved().empty() && !result_.promise) {
-    result_.promise = {"waiting_core_stands_still", "soc_host", core_->moved(), chip_->now()};
-    result_.end = EndReason::kPromise;
+  if (core_ && !core_->moved().empty() && !result_.assertion) {
+    result_.assertion = {"waiting_core_stands_still", "soc_host", core_->moved(), chip_->now()};
+    result_.end = EndReason::kAssertion;
   }
   return std::make_unique<Result>(std::move(result_));
 }

@@ -11,9 +11,9 @@
 #include "machines/kung/chip/chip.hpp"
 #include "machines/kung/chip/record.hpp"
 #include "machines/kung/chip/soc.hpp"
-#include "machines/kung/run/asked_path.hpp"
-#include "machines/kung/run/detail.hpp"
-#include "machines/kung/run/followed.hpp"
+#include "machines/kung/run/commanded_path.hpp"
+#include "machines/kung/run/snapshot.hpp"
+#include "machines/kung/run/outcome.hpp"
 #include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/plant.hpp"
 #include "machines/kung/run/recorder.hpp"
@@ -42,7 +42,7 @@ class Session final : public cosim::SessionOf<cosim::Rig> {
  private:
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
   bool drives_off() const override { return chip_->drive() == 0; }
-  std::string noticed() const override;
+  std::string detected_by() const override;
   cosim::FaultTruth truth(cosim::Clk edge) const override;
 
   cosim::FaultSpan hung() const;  // when the processor is; else never
@@ -60,10 +60,10 @@ class Session final : public cosim::SessionOf<cosim::Rig> {
   std::unique_ptr<StallableApp> firmware_;
   std::unique_ptr<SocCore> core_;  // in its place
   std::unique_ptr<SerialConsole> console_;
-  std::unique_ptr<DetailRecorder> detail_;
+  std::unique_ptr<SnapshotRecorder> snapshot_;
   std::unique_ptr<Recorder> recorder_;
-  std::optional<AskedPath> asked_;
-  std::optional<Followed> followed_;
+  std::optional<CommandedPath> commanded_;
+  std::optional<Outcome> outcome_;
   std::uint32_t path_points_ = 0;  // of the whole path
   std::uint32_t after_fault_ = 0;
   LimitWatch limits_;

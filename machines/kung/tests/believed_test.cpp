@@ -13,10 +13,10 @@
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
 #include "machines/kung/chip/record.hpp"
-#include "machines/kung/judge/load.hpp"
+#include "machines/kung/judge/motor_load.hpp"
 #include "machines/kung/plan/believed.hpp"
-#include "machines/kung/run/advice.hpp"
 #include "machines/kung/run/make_plan.hpp"
+#include "machines/kung/run/warnings.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/scratch.hpp"
@@ -49,7 +49,7 @@ std::array<std::uint32_t, sw::SetupWords::kMembers> words(const std::vector<std:
 std::string told(const std::vector<std::string>& texts) {
   Options options;
   for (const std::string& text : texts) lab::apply_assignment(options, text);
-  const auto lines = advice(options);
+  const auto lines = warnings(options);
   return std::accumulate(lines.begin(), lines.end(), std::string(),
                          [](const std::string& all, const std::string& s) { return all + s; });
 }
@@ -170,17 +170,17 @@ TEST_CASE("only what is run is judged, so that a path of days is judged at once"
   o.chip.irq_period_ticks = 255;
   o.chip.watchdog_ticks = 300;
   o.run.max_s = 1;
-  CHECK(advice(o).empty());
+  CHECK(warnings(o).empty());
   o.path = {};
   o.path.kind = PathKind::kPoints;  // rests for longer than the run takes
   PathFile file;
   file.points.assign(20, {0.1, 0.1});
   file.points.back() = {0.3, 0.1};
   o.prepared = make_plan(o, file);
-  CHECK(advice(o).empty());
+  CHECK(warnings(o).empty());
   o.run.max_s = 60;
   o.prepared = make_plan(o, file);
-  CHECK_FALSE(advice(o).empty());
+  CHECK_FALSE(warnings(o).empty());
 }
 
 TEST_CASE("a start on a hard stop is told of every kind of path, axis and end of the stroke") {
@@ -211,7 +211,7 @@ TEST_CASE("a start on a hard stop is told of every kind of path, axis and end of
     lab::apply_text(o, "controller = 'precision'\n[path]\n" + one.path, "some.toml", ".");
     lab::validate(o);
     std::vector<std::string> stops;
-    for (const std::string& line : advice(o)) {
+    for (const std::string& line : warnings(o)) {
       const std::string begin = ": the path begins on the hard stop plant.";
       if (line.find(begin) != 1) continue;
       stops.push_back(line.substr(1 + begin.size(), std::string("x.stroke_min_m").size()));

@@ -9,7 +9,7 @@
 
 #include "cosim/trigger_search.hpp"
 #include "machines/kung/chip/chip.hpp"
-#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/pins.hpp"
 #include "tests/support/no_plant.hpp"
 
 using namespace trammel;

@@ -11,19 +11,19 @@
 namespace trammel::kung {
 
 inline std::unique_ptr<KungChip> make_verilated_chip(bool leap) {
-  cosim::RunBasics run;
+  cosim::RunOptions run;
   run.leap = leap;
   return make_verilated_chip(run);
 }
 
 inline std::unique_ptr<KungChip> make_audited_chip() {
-  cosim::RunBasics run;
+  cosim::RunOptions run;
   run.audit = true;
   return make_verilated_chip(run);
 }
 
 inline std::unique_ptr<KungChip> make_checked_chip() {
-  cosim::RunBasics run;
+  cosim::RunOptions run;
   run.assertions = true;
   return make_verilated_chip(run);
 }
@@ -31,7 +31,7 @@ inline std::unique_ptr<KungChip> make_checked_chip() {
 inline std::unique_ptr<KungChip> make_traced_chip(const std::string& fst_file,
                                                   const cosim::WaveWindow& window, bool leap,
                                                   bool checked) {
-  cosim::RunBasics run;
+  cosim::RunOptions run;
   run.leap = leap;
   run.assertions = checked;
   run.wave_file = fst_file;

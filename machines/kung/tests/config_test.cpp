@@ -8,7 +8,7 @@
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/judge/paper.hpp"
 #include "machines/kung/options.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "tests/support/scenarios.hpp"
 
 using namespace trammel;

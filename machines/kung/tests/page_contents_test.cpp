@@ -221,19 +221,19 @@ TEST_CASE("gates of a page are those of their window, around a trip with its edg
   Options options;
   Result result;
   CHECK(detail_json(options, result)["gates"].is_null());
-  result.detail.gates = {1000, 7250, cosim::kNever, {{1000, 5}, {1234, 6}}, {}};
+  result.snapshot.gates = {1000, 7250, cosim::kNever, {{1000, 5}, {1234, 6}}, {}};
   std::array<std::array<std::int32_t, 3>, 2> compare{{{1, 2, 3}, {4, 5, 6}}};
-  result.detail.gates.compare = {compare, compare};
+  result.snapshot.gates.compare = {compare, compare};
   Json gates = detail_json(options, result)["gates"];
   CHECK(gates == Json::parse("{\"begin\": 1000, \"end\": 7250, \"edges\": [[1000, 5], [1234, 6]], "
                              "\"compare\": [[[1, 2, 3], [4, 5, 6]], [[1, 2, 3], [4, 5, 6]]]}"));
-  result.detail.gates.trip = 4125;
-  result.detail.gates.compare.clear();
+  result.snapshot.gates.trip = 4125;
+  result.snapshot.gates.compare.clear();
   gates = detail_json(options, result)["gates"];
   CHECK(gates["trip"] == 4125);
   CHECK(gates["compare"] == Json::array());
-  result.detail.rules_first[1][3] = 17;
-  result.detail.rules_last[0][48] = -9;
+  result.snapshot.rules_first[1][3] = 17;
+  result.snapshot.rules_last[0][48] = -9;
   const Json rules = detail_json(options, result)["rules"];
   CHECK(rules["y"]["first"][3] == 17);
   CHECK(rules["x"]["last"][48] == -9);

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "machines/kung/plan/feed.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "machines/kung/precision/plan.hpp"
 #include "models/exact/control/precision.hpp"
 #include "models/plant/pmlsm.hpp"
-#include "sw_nios/apps/kung/precision_words.hpp"
+#include "sw_nios/apps/kung/precision_values.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;

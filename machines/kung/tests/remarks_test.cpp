@@ -13,7 +13,7 @@
 #include "lab/scenarios.hpp"
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/judge/figures.hpp"
-#include "machines/kung/judge/load.hpp"
+#include "machines/kung/judge/motor_load.hpp"
 #include "machines/kung/judge/paper.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/precision/figures.hpp"
@@ -170,7 +170,7 @@ TEST_CASE("what is told of the end of a run is of that end") {
   result.missed = "the table missed it";
   result.uart = "what the port sent";
   for (const EndReason end : {EndReason::kDone, EndReason::kDiverged, EndReason::kTimeout,
-                              EndReason::kStopped, EndReason::kPromise}) {
+                              EndReason::kStopped, EndReason::kAssertion}) {
     result.end = end;
     INFO("fault_text of end " << static_cast<int>(end));
     CHECK(result.fault_text().empty());

@@ -82,7 +82,7 @@ TEST_CASE("a run with a trip has a page too") {
   kung::Result result = drifting();
   result.end = kung::EndReason::kFault;
   result.fault = {kung::FaultCode::kStroke, 1, 17};
-  result.detail.gates = {1000, 7250, 4125, {{1000, 5}, {4125, 0}}, {}};
+  result.snapshot.gates = {1000, 7250, 4125, {{1000, 5}, {4125, 0}}, {}};
   CHECK(run_kung(scratch.path / "trip", std::move(result)) == 5);
   CHECK(fs::exists(scratch.path / "trip" / "report.html"));
 }
@@ -180,7 +180,7 @@ TEST_CASE("the steps of the moment are those of each axis, if they end with the 
   kung::Options o;
   o.gains[1].zeta = 2;
   kung::Result result;
-  kung::Moment& moment = result.detail.moment;
+  kung::Moment& moment = result.snapshot.moment;
   moment.tick = 7;
   moment.edge = 150'000;
   std::array<kung::AfcSteps, 2> steps;

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;

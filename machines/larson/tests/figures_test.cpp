@@ -11,7 +11,7 @@
 
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/message.hpp"
 

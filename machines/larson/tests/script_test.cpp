@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 

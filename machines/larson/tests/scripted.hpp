@@ -8,7 +8,7 @@
 #include <string>
 
 #include "lab/record.hpp"
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "tests/support/scratch.hpp"
 
 namespace trammel::larson {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lab/record.hpp"
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "machines/larson/session.hpp"
 #include "machines/larson/tests/scripted.hpp"
 #include "sw_nios/apps/larson/larson_map.hpp"

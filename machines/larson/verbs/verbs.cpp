@@ -6,7 +6,7 @@
 
 #include "host/errors.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "testbench/run.hpp"
 
 namespace trammel::larson {

@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "cosim/verilated/bus_chip.hpp"
-#include "machines/larson/board.hpp"
 #include "machines/larson/chip.hpp"
+#include "machines/larson/surroundings.hpp"
 
 namespace trammel::larson {
 
 template <class Model, class Tracer>
-class ChipModel : public cosim::BusChip<LarsonChip, Board, Pins, Model, Tracer> {
-  using OnBus = cosim::BusChip<LarsonChip, Board, Pins, Model, Tracer>;
+class ChipModel : public cosim::BusChip<LarsonChip, Surroundings, Pins, Model, Tracer> {
+  using OnBus = cosim::BusChip<LarsonChip, Surroundings, Pins, Model, Tracer>;
   using OnBus::model_;
   using OnBus::state_;
 

@@ -9,7 +9,7 @@
 
 #include "cosim/event_hash.hpp"
 #include "machines/mcafee/chip.hpp"
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 #include "machines/mcafee/session.hpp"
 #include "machines/mcafee/twin.hpp"
 #include "models/exact/chips/mcafee_xy.hpp"
@@ -65,8 +65,8 @@ struct Run {
   Events events;
   cosim::Loop loop;
 
-  static cosim::RunBasics mode(bool leap) {
-    cosim::RunBasics run;
+  static cosim::RunOptions mode(bool leap) {
+    cosim::RunOptions run;
     run.leap = leap;
     return run;
   }

@@ -2,7 +2,7 @@
 //
 // Keys and figures of the machine mcafee, from results made by hand.
 
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 
 #include <catch2/catch.hpp>
 #include <algorithm>

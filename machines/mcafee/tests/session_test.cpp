@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 #include "machines/mcafee/session.hpp"
 #include "tests/support/event_record.hpp"
 

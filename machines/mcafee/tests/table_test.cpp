@@ -11,7 +11,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "models/plant/trig.hpp"
 #include "tests/support/scratch.hpp"
 

@@ -7,7 +7,7 @@
 #include "host/output_folder.hpp"
 #include "host/text.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 #include "testbench/run.hpp"
 
 namespace trammel::mcafee {

@@ -20,7 +20,7 @@
 #include "models/exact/drive/supervisor.hpp"
 #include "models/exact/motion/watchdog.hpp"
 #include "models/exact/sense/qep.hpp"
-#include "models/pins/xy_lines.hpp"
+#include "models/pins/xy_pins.hpp"
 
 namespace trammel::exact {
 
@@ -51,10 +51,10 @@ class KungXy {
     virtual std::array<std::int32_t, 2> hold(int axis, Clk edge) const = 0;
   };
 
-  void reset();                       // edge 0 is the next
-  Clk now() const { return now_; }    // next edge to execute
-  void pins(std::uint64_t lines);     // of xy_lines.hpp, seen from edge now() on
-  void request(const BusOp& op);      // valid from edge now() on; one at a time
+  void reset();                     // edge 0 is the next
+  Clk now() const { return now_; }  // next edge to execute
+  void pins(std::uint64_t lines);   // of xy_pins.hpp, seen from edge now() on
+  void request(const BusOp& op);    // valid from edge now() on; one at a time
   Stop run(Clk end, const Converters& converters);  // through the first event, or up to `end`
 
   std::uint64_t gates() const { return axes_[0].gates.gates() | axes_[1].gates.gates() << 6; }

@@ -4,7 +4,7 @@
 // the units of this folder.
 #pragma once
 
-#include "parts/lm628/board.hpp"
+#include "parts/lm628/surroundings.hpp"
 #include "parts/lm628/chip.hpp"
 #include "parts/lm628/verilated/words.hpp"
 #include "cosim/verilated/hosted_chip.hpp"
@@ -12,15 +12,15 @@
 namespace trammel::lm628 {
 
 template <class Model, class Tracer>
-class ChipModel : public cosim::HostedChip<Lm628Chip, Board, Model, Tracer> {
-  using Hosted = cosim::HostedChip<Lm628Chip, Board, Model, Tracer>;
+class ChipModel : public cosim::HostedChip<Lm628Chip, Surroundings, Model, Tracer> {
+  using Hosted = cosim::HostedChip<Lm628Chip, Surroundings, Model, Tracer>;
   using Hosted::model_;
   using Hosted::state_;
 
  public:
   ChipModel(Tracer tracer, cosim::ModelMode mode, const PartOptions& part)
       : Hosted(std::move(tracer), mode) {
-    state_ = Board(part);
+    state_ = Surroundings(part);
     model_->wrap_i = part.wrap;
     sense(0);
     put_transfer();

@@ -20,7 +20,7 @@ DIGITS = 6
 
 def command(scenario: str, engine: str, keys: dict) -> str:
     """Repeats a run."""
-    from trammel.asked import text_of
+    from trammel.run_settings import text_of
 
     words = ["./trammel", "run", scenario]
     for key, value in {"run.engine": engine, **keys}.items():

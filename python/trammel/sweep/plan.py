@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from trammel import _core
-from trammel.asked import SettingError, _apply, _given
+from trammel.run_settings import SettingError, _apply, _given
 from trammel.sweep import files
 from trammel.sweep.files import PlanError
 

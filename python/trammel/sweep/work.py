@@ -9,8 +9,8 @@ import socket
 import time
 
 from trammel import _core
-from trammel.asked import _apply, _given
 from trammel.results import Result
+from trammel.run_settings import _apply, _given
 
 # What is of the worker's computer and not of the run: it may be made again.
 TROUBLE = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EMFILE, errno.ENFILE}

@@ -158,7 +158,7 @@ def best_of(study: Study, found) -> list:
 
 def scenario_text(study: Study, trial) -> str:
     """A scenario file: that of the first case with the keys of the study and of the trial."""
-    from trammel.asked import _apply
+    from trammel.run_settings import _apply
 
     scenario, _ = study.cases[0]
     asked = _core.Settings(scenario)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from trammel import _core
-from trammel.asked import _apply, _given
+from trammel.run_settings import _apply, _given
 from trammel.sweep.plan import PlanError, drawn_axis, read_toml
 
 MOST_CASES = 1000

@@ -1,4 +1,4 @@
-// Generated from rtl/chips/kung_xy.rdl by scripts/tool gen-regs; do not edit.
+// Generated from rtl/chips/kung_xy.rdl by scripts/tool gen-register-map; do not edit.
 // SPDX-License-Identifier: Apache-2.0
 // verilator lint_off UNUSEDSIGNAL
 // verilator lint_off UNUSEDPARAM

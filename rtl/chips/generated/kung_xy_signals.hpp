@@ -1,4 +1,4 @@
-// Generated from rtl/chips/kung_xy.rdl by scripts/tool gen-regs; do not edit.
+// Generated from rtl/chips/kung_xy.rdl by scripts/tool gen-register-map; do not edit.
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the registers of a verilated kung_xy hold: storage of the register block, and the signals

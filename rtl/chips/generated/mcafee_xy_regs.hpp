@@ -1,4 +1,4 @@
-// Generated from rtl/chips/mcafee_xy.rdl by scripts/tool gen-regs; do not edit.
+// Generated from rtl/chips/mcafee_xy.rdl by scripts/tool gen-register-map; do not edit.
 // SPDX-License-Identifier: Apache-2.0
 //
 // Registers of mcafee_xy: addresses in bytes, bits, and what reads and writes do. Those of a

@@ -22,7 +22,7 @@ from trammel_tools.paths import ROOT
 PAGE = ROOT / "docs" / "tutorial.md"
 FOLDER = ROOT / "build" / "new_machine"
 GENERATED = {"docs/columns.md", "docs/figures.md", "docs/keys.md", "docs/manual.md",
-             "docs/tools.md", "docs/generated/promises.md", "tests/goldens/machines.txt"}
+             "docs/tools.md", "docs/generated/assertions.md", "tests/goldens/machines.txt"}
 LIMIT_S = 3600  # of a block that builds
 
 

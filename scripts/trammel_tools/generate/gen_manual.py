@@ -6,7 +6,7 @@ usage: scripts/tool gen-manual [--check] [--program FILE]
 FILE is the built program, build/testbench/trammel unless given. Verbs come from its --help and
 from `tools` in the launcher, each with its own --help; the parameters from `list keys`; the
 columns of trace.csv from `list columns`; the figures from a run of each built-in scenario; the
-registers from the pages of `gen-regs`, which runs first, as `prove --table` does. The test
+registers from the pages of `gen-register-map`, which runs first, as `prove --table` does. The test
 unit.lab.goldens, which is built, writes tests/goldens. In manual.md only the text between
 "<!-- begin NAME -->" and "<!-- end NAME -->" is replaced; the others are written whole.
 --check writes nothing, prints the differences of the pages, and exits 1 if there is one.
@@ -250,7 +250,7 @@ def main():
         if not arguments.check:
             said("cmake", "--build", build, "--target", "trammel", "goldens_test")
             said("env", "TRAMMEL_TEST_ACCEPT=1", build / "tests" / "goldens_test")
-            said(sys.executable, TOOL, "gen-regs")
+            said(sys.executable, TOOL, "gen-register-map")
             said(sys.executable, TOOL, "prove", "--table")
         manual = replaced(manual, "verbs", verbs_text(program))
         manual = replaced(manual, "registers", registers_text())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The register map of a chip, read from its SystemRDL: what all generators of gen_regs share."""
+"""The register map of a chip, read from its SystemRDL: what gen_register_map's units share."""
 
 import textwrap
 from typing import NamedTuple

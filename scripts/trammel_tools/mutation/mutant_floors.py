@@ -85,12 +85,12 @@ class Result:
         return self.mutants - len(self.equivalent)
 
     @property
-    def refused(self):
+    def killed(self):
         return self.counted - len(self.left)
 
     @property
     def score(self):
-        return 100.0 * self.refused / self.counted if self.counted else 100.0
+        return 100.0 * self.killed / self.counted if self.counted else 100.0
 
 
 def write(result):

@@ -119,11 +119,11 @@ def refuted_by(block, number, limit):
     constants = parameters(source.read_text(encoding="utf-8"))
     constants.append(f"  localparam logic [{mutants.WIDTH - 1}:0] {mutants.SELECTOR} = {number};\n")
     netlist = mutants.with_selector(block, "mutants.v", "".join(constants), "mutant.sv")
-    model = formal.Model("promises", only=props.promises, changed={
+    model = formal.Model("assertions", only=props.assertions, changed={
         source: netlist.read_text(encoding="utf-8"), props.path: named_bind(props.path)})
     said = formal.write_models(props, folder, [model])
-    labels = formal.read_labels(folder, "promises", said)
-    broken, _ = abc.reach(folder, "promises", labels, props.frames, limit)
+    labels = formal.read_labels(folder, "assertions", said)
+    broken, _ = abc.reach(folder, "assertions", labels, props.frames, limit)
     return min(broken, key=broken.get) if broken else None
 
 

@@ -60,12 +60,12 @@ def stopwatch():
     return lambda: time.monotonic() - begin
 
 
-def judge(block, mutant, limit, promises=True):
+def judge(block, mutant, limit, assertions=True):
     """(kind of row, row) for a mutant that the unit test accepts."""
     row = {"number": mutant.number, "mutation": mutant.words}
 
     def refuted_by(seconds):
-        return promises and mutant_proofs.refuted_by(block, mutant.number, seconds)
+        return assertions and mutant_proofs.refuted_by(block, mutant.number, seconds)
 
     # A brief search of the promises first: some mutants are long in proving that they differ.
     label = refuted_by(min(BRIEF, limit))
@@ -92,7 +92,7 @@ def explain(block, accepted, limit):
     if label:
         print(f"  {block}: no promise is asked: {label} fails without a mutant", flush=True)
     for mutant in accepted:
-        yield (mutant, *judge(block, mutant, limit, promises=not label))
+        yield (mutant, *judge(block, mutant, limit, assertions=not label))
 
 
 def campaign(block, limit, afresh, floors):
@@ -120,7 +120,7 @@ def campaign(block, limit, afresh, floors):
           f"{path.relative_to(ROOT)}", flush=True)
     if result.score >= floors.of(block):
         return []
-    return [f"{block}: {result.refused} of {result.counted} mutants refused, {result.score:.1f} %: "
+    return [f"{block}: {result.killed} of {result.counted} mutants refused, {result.score:.1f} %: "
             f"at least {floors.of(block):.0f} %"]
 
 

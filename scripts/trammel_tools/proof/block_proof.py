@@ -5,9 +5,9 @@ import time
 
 from trammel_tools.paths import ROOT
 from trammel_tools.proof import abc, formal, induction, properties
-from trammel_tools.proof.controls import ControlError
 from trammel_tools.proof.counterexample import Counterexample
 from trammel_tools.proof.properties import PropertiesError
+from trammel_tools.proof.seeded_bugs import SeededBugError
 
 OUT = ROOT / "build" / "formal"
 
@@ -27,36 +27,36 @@ class BlockProof:
 
     def run(self):
         props = self.props
-        proofs = [formal.Model(f"asserts{n}", props.asserts, parameters)
+        proofs = [formal.Model(f"asserts{n}", props.all_assertions, parameters)
                   for n, parameters in enumerate(self.configurations)]
         covers = [formal.Model("covers", props.covers, self.configurations[0])]
         said = formal.write_models(props, self.folder, proofs + covers * bool(props.covers))
-        self.promises(proofs, said)
+        self.assertions(proofs, said)
         if props.covers:
             self.covers(formal.read_labels(self.folder, "covers", said))
         if "refuted" in self.doubted.values():
             self.line("negative controls", "not asked: first a promise must hold")
         else:
-            self.controls()
-        print(f"{self.block}: {len(props.promises)} promises, {len(props.controls)} controls, "
+            self.seeded_bugs()
+        print(f"{self.block}: {len(props.assertions)} promises, {len(props.seeded_bugs)} controls, "
               f"{len(props.covers)} covers in {time.monotonic() - self.begin:.1f} s", flush=True)
 
-    def promises(self, models, said):
-        props, times = self.props, dict.fromkeys(self.props.asserts, 0)
+    def assertions(self, models, said):
+        props, times = self.props, dict.fromkeys(self.props.all_assertions, 0)
 
         def tell(label, verdict, model):
             if verdict.word != "proven":
                 self.doubt(label, verdict, model)
                 return
             times[label] += 1
-            if label in props.promises and times[label] == len(models):
-                controls = sum(label in control.promises for control in props.controls)
-                self.line(label, f"proven, {controls} control(s)")
+            if label in props.assertions and times[label] == len(models):
+                seeded_bugs = sum(label in bug.assertions for bug in props.seeded_bugs)
+                self.line(label, f"proven, {seeded_bugs} control(s)")
 
         for model in models:
             labels = formal.read_labels(self.folder, model.name, said)
-            if sorted(labels) != sorted(props.asserts):
-                missing = ", ".join(sorted(set(props.asserts) - set(labels)))
+            if sorted(labels) != sorted(props.all_assertions):
+                missing = ", ".join(sorted(set(props.all_assertions) - set(labels)))
                 raise PropertiesError(
                     f"rtl/{self.block}_props.sv: assertions that did not arrive: {missing}; "
                     "one that says the same as another is merged with it")
@@ -68,11 +68,11 @@ class BlockProof:
         self.doubted[label] = verdict.word
         when = [] if verdict.clock is None else [f"at clock {verdict.clock}"]
         words = " ".join([verdict.word, *when, *model.parameters])
-        if label in self.props.promises:
+        if label in self.props.assertions:
             self.line(label, words)
             if verdict.word == "refuted":
                 self.show(label, verdict, model)
-        elif self.doubted.keys() & set(self.props.promises):
+        elif self.doubted.keys() & set(self.props.assertions):
             return
         self.wrong.append(f"{label}: {words}")
 
@@ -97,36 +97,36 @@ class BlockProof:
             self.line(label, words)
             self.wrong.append(f"{label}: {words}")
 
-    def controls(self):
+    def seeded_bugs(self):
         """Each control must refute its promises; one that does not apply is a separate fault."""
         props, models = self.props, {}
-        for n, control in enumerate(props.controls):
+        for n, bug in enumerate(props.seeded_bugs):
             try:
-                models[n] = formal.Model(f"control{n}", control.promises, self.configurations[0],
-                                         *control.changed())
-            except ControlError as error:
-                self.inapplicable(control, error)
+                models[n] = formal.Model(f"bug{n}", bug.assertions, self.configurations[0],
+                                         *bug.changed())
+            except SeededBugError as error:
+                self.inapplicable(bug, error)
         said = formal.write_models(props, self.folder, list(models.values()))
         good = 0
         for n, model in models.items():
-            control = props.controls[n]
+            bug = props.seeded_bugs[n]
             try:
                 labels = formal.read_labels(self.folder, model.name, said)
             except PropertiesError as error:
-                self.inapplicable(control, error)
+                self.inapplicable(bug, error)
                 continue
             reached, clocks = abc.reach(self.folder, model.name, labels, props.frames, self.limit,
                                         props.begin)
-            kept = [label for label in control.promises if label not in reached]
-            self.wrong += [f"{label}: line {control.line}: the control '{control.words}' does not "
+            kept = [label for label in bug.assertions if label not in reached]
+            self.wrong += [f"{label}: line {bug.line}: the control '{bug.words}' does not "
                            f"refute it in {clocks} clocks" for label in kept]
             good += not kept
-        self.line("negative controls", f"{good} of {len(props.controls)} refute their promises")
+        self.line("negative controls", f"{good} of {len(props.seeded_bugs)} refute their promises")
         self.wrong += [f"line {number}: {words}" for number, words in props.complaints]
-        controlled = {label for control in props.controls for label in control.promises}
+        tried = {label for bug in props.seeded_bugs for label in bug.assertions}
         self.wrong += [f"{label}: no negative control (// breaks {label}: ...)"
-                       for label in props.promises if label not in controlled]
+                       for label in props.assertions if label not in tried]
 
-    def inapplicable(self, control, error):
-        self.wrong.append(f"line {control.line}: the control '{control.words}' does not apply any "
+    def inapplicable(self, bug, error):
+        self.wrong.append(f"line {bug.line}: the control '{bug.words}' does not apply any "
                           f"more: {error}; adjust it in rtl/{self.block}_props.sv")

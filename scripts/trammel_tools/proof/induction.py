@@ -24,7 +24,7 @@ class Proof:
     def __init__(self, folder, name, labels, props, limit, tell):
         self.folder, self.name, self.limit, self.tell = folder, name, limit, tell
         self.labels = labels
-        self.order = {label: n for n, label in enumerate(props.asserts)}
+        self.order = {label: n for n, label in enumerate(props.all_assertions)}
         self.state = {}  # output: Verdict
         self.end = None  # of asking, once something is refuted
 
@@ -103,7 +103,7 @@ def prove(folder, name, labels, props, limit, tell):
     if complete and proof.left():
         proof.all_at_once(depth)
     if proof.left():
-        wanted = [n for n in proof.left() if labels[n] in props.promises]
+        wanted = [n for n in proof.left() if labels[n] in props.assertions]
         found = abc.quick(folder, name, wanted, props.frames)
         proof.refuted({n: clock for n, clock in found.items() if n in proof.left()})
         if complete:

@@ -11,8 +11,8 @@ import re
 from dataclasses import replace
 
 from trammel_tools.proof import domains, leap_model, miter
-from trammel_tools.proof.controls import ControlError
 from trammel_tools.proof.properties import PropertiesError
+from trammel_tools.proof.seeded_bugs import SeededBugError
 from trammel_tools.rtl import rewire
 
 PORTS = re.compile(rf"(?:.*\.)?(?:{rewire.SEEN}|{rewire.OLD}|{rewire.NEW})\d+(?:_\d+)?")
@@ -33,16 +33,16 @@ class Alone:
 
 
 class Joined:
-    """Broken designs {number: Control} in one model."""
+    """Broken designs {number: SeededBug} in one model."""
 
-    def __init__(self, folder, chip, name, controls, products):
-        self.controls, self.cuts, texts = controls, {}, {}
-        for n, control in controls.items():
-            cut = self.cuts.setdefault((control.module, control.name, control.sign),
+    def __init__(self, folder, chip, name, seeded_bugs, products):
+        self.seeded_bugs, self.cuts, texts = seeded_bugs, {}, {}
+        for n, bug in seeded_bugs.items():
+            cut = self.cuts.setdefault((bug.module, bug.name, bug.sign),
                                        str(len(self.cuts)))
-            path, = control.changed()[0]
+            path, = bug.changed()[0]
             text = texts.get(path) or path.read_text(encoding="utf-8")
-            texts[path] = control.spliced(text, cut, f"_{n}")
+            texts[path] = bug.spliced(text, cut, f"_{n}")
         cuts = " ".join(f"{net} {rewire.KINDS[sign]} {cut}"
                         for (_, net, sign), cut in self.cuts.items())
         source = leap_model.Source(chip, name, texts, [f"rewire {cuts}"], products)
@@ -54,8 +54,8 @@ class Joined:
 
     def shown(self, number, place, cut):
         """The port that shows what readers of the net see in this design; None changes nothing."""
-        control = self.controls.get(number)
-        if control and self.cuts[control.module, control.name, control.sign] == cut:
+        bug = self.seeded_bugs.get(number)
+        if bug and self.cuts[bug.module, bug.name, bug.sign] == cut:
             return f"{place}{rewire.NEW}{cut}_{number}"
         return f"{place}{rewire.OLD}{cut}"
 
@@ -164,29 +164,30 @@ def join(model, joins, words, start):
 
 
 def models(folder, chip, designs):
-    """{number: model} of broken designs {number: (Control, whether with products)}, and {number:
+    """{number: model} of broken designs {number: (SeededBug, whether with products)}, and {number:
     why its change does not apply}. As many at once as can be."""
     found, wrong, alone = {}, {}, {}
     groups = {False: {}, True: {}}
-    for n, (control, products) in designs.items():
+    for n, (bug, products) in designs.items():
         try:
-            texts, behind = control.changed()
-        except ControlError as error:
+            texts, behind = bug.changed()
+        except SeededBugError as error:
             wrong[n] = error
             continue
         alone[n] = leap_model.Source(chip, f"broken{n}", texts, behind, products)
         if behind:
-            groups[products][n] = control
-    for products, controls in groups.items():
-        if len(controls) > 1:
+            groups[products][n] = bug
+    for products, seeded_bugs in groups.items():
+        if len(seeded_bugs) > 1:
             try:
-                model = Joined(folder, chip, "whole" if products else "joined", controls, products)
+                model = Joined(folder, chip, "whole" if products else "joined", seeded_bugs,
+                               products)
                 if model.chip(None).peeking:
                     raise PropertiesError("without a change the model refutes no_peeking")
             except PropertiesError as error:
                 print(f"  each broken design is made by itself: {error}", flush=True)
                 continue
-            found |= dict.fromkeys(controls, model)
+            found |= dict.fromkeys(seeded_bugs, model)
     single = [source for n, source in alone.items() if n not in found]
     said = leap_model.make(folder, single)
     found |= {n: Alone(folder, source, said) for n, source in alone.items() if n not in found}

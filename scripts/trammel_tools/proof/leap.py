@@ -5,7 +5,7 @@ designs that must refute them: rtl/chips/<chip>_leap.toml, a table [[broken]] ea
   what = "..."       the mistake
   lemma = "..."      that must be refuted, or a list of them
   module = "..."     that changes
-  change = "..."     as a negative control: net = expression (proof/controls.py)
+  change = "..."     as a negative control: net = expression (proof/seeded_bugs.py)
 """
 
 import itertools
@@ -16,8 +16,8 @@ from collections import Counter
 
 from trammel_tools.paths import ROOT, RTL
 from trammel_tools.proof import abc, domains, joined, leap_model, miter
-from trammel_tools.proof.controls import ControlError, parse
 from trammel_tools.proof.properties import PropertiesError
+from trammel_tools.proof.seeded_bugs import SeededBugError, parse
 
 OUT = ROOT / "build" / "formal"
 LEMMAS = {
@@ -245,7 +245,7 @@ def as_list(lemma):
 
 
 def broken_designs(chip):
-    """[(what, lemmas, Control)] of rtl/<chip>_leap.toml."""
+    """[(what, lemmas, SeededBug)] of rtl/<chip>_leap.toml."""
     path = RTL / f"{chip}_leap.toml"
     where = f"rtl/{chip}_leap.toml"
     try:
@@ -253,7 +253,7 @@ def broken_designs(chip):
         found = [(d["what"], as_list(d["lemma"]),
                   parse(f" {as_list(d['lemma'])[0]} ({d['module']}): {d['change']}"))
                  for d in table]
-    except (OSError, KeyError, tomllib.TOMLDecodeError, ControlError) as error:
+    except (OSError, KeyError, tomllib.TOMLDecodeError, SeededBugError) as error:
         raise PropertiesError(f"{where}: no table of broken designs: {error!r}") from error
     named = Counter(lemma for _, lemmas, _ in found for lemma in lemmas)
     wanted = dict.fromkeys(set(LEMMAS) - {"stay_n"}, 1)
@@ -275,16 +275,16 @@ def check_broken(chip, limit):
     begin = time.monotonic()
     designs = broken_designs(chip)
     models, failed = joined.models(folder, chip, {
-        n: (control, bool(set(lemmas) & set(domains.WHOLE)))
-        for n, (_, lemmas, control) in enumerate(designs)})
+        n: (bug, bool(set(lemmas) & set(domains.WHOLE)))
+        for n, (_, lemmas, bug) in enumerate(designs)})
     wrong = []
-    for n, (what, lemmas, control) in enumerate(designs):
+    for n, (what, lemmas, bug) in enumerate(designs):
         try:
             if n in failed:
                 raise failed[n]
             made = models[n].chip(n)
-        except (ControlError, PropertiesError) as error:
-            wrong.append(f"{what}: `{control.words}` does not apply any more: {error}")
+        except (SeededBugError, PropertiesError) as error:
+            wrong.append(f"{what}: `{bug.words}` does not apply any more: {error}")
             continue
         plain = timed = None
         for lemma in lemmas:
@@ -297,7 +297,7 @@ def check_broken(chip, limit):
                 verdict, how = settle(folder, name, made, plain, lemma, limit)
             print(f"  {lemma:<15} {verdict:<8} {what}{': ' * bool(how)}{how}", flush=True)
             if verdict != "refuted":
-                wrong.append(f"{what}: {lemma} does not refute `{control.words}`")
+                wrong.append(f"{what}: {lemma} does not refute `{bug.words}`")
     print(f"{chip}: {len(designs)} broken designs in {time.monotonic() - begin:.1f} s")
     return wrong
 

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass, field
 
 from trammel_tools.paths import ROOT, block_file, block_of, rtl_files
-from trammel_tools.proof import controls
-from trammel_tools.proof.controls import Control
+from trammel_tools.proof import seeded_bugs
+from trammel_tools.proof.seeded_bugs import SeededBug
 
 
 class PropertiesError(Exception):
@@ -17,10 +17,10 @@ class PropertiesError(Exception):
 @dataclass
 class Properties:
     block: str  # layer/stem
-    promises: list[str] = field(default_factory=list)
+    assertions: list[str] = field(default_factory=list)
     helpers: list[str] = field(default_factory=list)  # inv_*: they only help the proof
     covers: list[str] = field(default_factory=list)
-    controls: list[Control] = field(default_factory=list)
+    seeded_bugs: list[SeededBug] = field(default_factory=list)
     complaints: list[tuple[int, str]] = field(default_factory=list)  # (line, what a control lacks)
     cut: list[str] = field(default_factory=list)  # modules whose outputs are free
     free: list[str] = field(default_factory=list)  # cell types whose outputs are free
@@ -39,8 +39,8 @@ class Properties:
         return block_file(self.block, "_props.sv")
 
     @property
-    def asserts(self):
-        return self.promises + self.helpers
+    def all_assertions(self):
+        return self.assertions + self.helpers
 
 
 def blocks():
@@ -58,15 +58,15 @@ def read(block):
     for number, line in enumerate(text.split("\n"), 1):
         comment = re.match(r"\s*// (breaks|prove)\b(.*)$", line)
         if comment and comment[1] == "breaks":
-            read_control(props, comment[2], number)
+            read_seeded_bug(props, comment[2], number)
         elif comment:
             read_option(props, comment[2], f"{where}:{number}")
-    if not props.promises:
+    if not props.assertions:
         raise PropertiesError(f"{where}: promises nothing")
     for label in props.leap:
-        if label not in props.asserts:
+        if label not in props.all_assertions:
             raise PropertiesError(f"{where}: prove: leap: no assertion {label}")
-    labels = props.asserts + props.covers
+    labels = props.all_assertions + props.covers
     for label in labels:
         if labels.count(label) > 1:
             raise PropertiesError(f"{where}: label {label} twice")
@@ -78,29 +78,30 @@ def read_labels(props, code, where):
         if (kind == "cover") != label.startswith("reaches_"):
             raise PropertiesError(f"{where}: {label}: covers, and only they, are named reaches_...")
         wanted = props.covers if kind == "cover" else (
-            props.helpers if label.startswith("inv_") else props.promises)
+            props.helpers if label.startswith("inv_") else props.assertions)
         wanted.append(label)
     if re.search(r"\bassume\b", code):
         raise PropertiesError(f"{where}: no assume; make the restriction an antecedent")
     if re.search(r"\b(?:assert|cover)\s+(?:property|final)\b|\b(?:assert|cover)\s*#0", code):
         raise PropertiesError(f"{where}: immediate assertions only")
-    if len(re.findall(r"\b(?:assert|cover)\b", code)) != len(props.asserts) + len(props.covers):
+    if len(re.findall(r"\b(?:assert|cover)\b", code)) != (
+            len(props.all_assertions) + len(props.covers)):
         raise PropertiesError(f"{where}: every assert and cover needs a label")
 
 
-def read_control(props, text, number):
+def read_seeded_bug(props, text, number):
     """A mistake in it does not hide the verdicts on the promises: it is reported after them."""
     try:
-        control = controls.parse(text)
-    except controls.ControlError as error:
+        bug = seeded_bugs.parse(text)
+    except seeded_bugs.SeededBugError as error:
         props.complaints.append((number, str(error)))
         return
-    for name in control.promises:
-        if name not in props.promises:
+    for name in bug.assertions:
+        if name not in props.assertions:
             props.complaints.append((number, f"the control is of no promise {name}"))
-    control.promises = [name for name in control.promises if name in props.promises]
-    control.module, control.line = control.module or props.stem, number
-    props.controls.append(control)
+    bug.assertions = [name for name in bug.assertions if name in props.assertions]
+    bug.module, bug.line = bug.module or props.stem, number
+    props.seeded_bugs.append(bug)
 
 
 def read_option(props, text, where):

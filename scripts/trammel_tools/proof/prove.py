@@ -3,7 +3,7 @@
 
 usage: trammel prove [--limit SECONDS] [layer/block ...]   without blocks: every one
        trammel prove --leap [--broken] [--limit SECONDS] [chips/chip ...]
-       trammel prove --table [--check]    write, or only check, docs/generated/promises.md
+       trammel prove --table [--check]    write, or only check, docs/generated/assertions.md
 
 For each block: every assertion holds in every reachable state under any input (induction, then
 pdr), every cover is reachable (bounded search), and every negative control, another value of a
@@ -35,7 +35,7 @@ Exit codes: 0 all proven, 1 a promise or lemma is open, refuted or without contr
 import sys
 
 from trammel_tools import python_tools
-from trammel_tools.proof import leap, leap_model, promise_table, properties
+from trammel_tools.proof import assertion_table, leap, leap_model, properties
 from trammel_tools.proof.block_proof import BlockProof
 
 
@@ -60,7 +60,7 @@ def main():
     parser.add_argument("--leap", action="store_true", help="prove the lemmas of chips that leap")
     parser.add_argument("--broken", action="store_true",
                         help="with --leap: refute the broken designs")
-    parser.add_argument("--table", action="store_true", help="write docs/generated/promises.md")
+    parser.add_argument("--table", action="store_true", help="write docs/generated/assertions.md")
     parser.add_argument("--check", action="store_true",
                         help="with --table: only compare; exit 1 if stale")
     parser.add_argument("blocks", nargs="*", metavar="layer/block", help="default: all")
@@ -75,7 +75,7 @@ def main():
             what = "no chip that leaps" if arguments.leap else f"rtl/{block}_props.sv: no such file"
             return python_tools.refuse("prove", f"{block}: {what}; there are {', '.join(every)}")
     if arguments.table:
-        return promise_table.run(arguments.check)
+        return assertion_table.run(arguments.check)
     python_tools.need("pyosys", "prove")
     if arguments.leap:
         return leap.run(arguments.blocks or every, arguments.broken, arguments.limit)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sw_nios/apps/kung/estimator.hpp"
 
-#include "sw_nios/apps/kung/fixed_words.hpp"
+#include "sw_nios/apps/kung/rounding.hpp"
 #include "sw_nios/path/sine1024.hpp"
 
 namespace trammel::sw {

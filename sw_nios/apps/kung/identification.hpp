@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "sw_nios/apps/kung/fixed_words.hpp"
+#include "sw_nios/apps/kung/rounding.hpp"
 #include "sw_nios/path/sine1024.hpp"
 
 namespace trammel::sw {

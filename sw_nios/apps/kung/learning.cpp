@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sw_nios/apps/kung/learning.hpp"
 
-#include "sw_nios/apps/kung/fixed_words.hpp"
+#include "sw_nios/apps/kung/rounding.hpp"
 
 namespace trammel::sw {
 namespace {

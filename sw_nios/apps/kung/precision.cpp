@@ -2,8 +2,8 @@
 #include "sw_nios/apps/kung/precision.hpp"
 
 #include "rtl/chips/generated/kung_xy_regs.hpp"
-#include "sw_nios/apps/kung/fixed_words.hpp"
 #include "sw_nios/apps/kung/identification.hpp"
+#include "sw_nios/apps/kung/rounding.hpp"
 #include "sw_nios/path/feed_prefilter.hpp"
 
 namespace trammel::sw {

@@ -12,7 +12,7 @@
 #include "sw_nios/apps/kung/estimator.hpp"
 #include "sw_nios/apps/kung/learning.hpp"
 #include "sw_nios/apps/kung/precision_setup.hpp"
-#include "sw_nios/apps/kung/precision_words.hpp"
+#include "sw_nios/apps/kung/precision_values.hpp"
 #include "sw_nios/hal/bus.hpp"
 #include "sw_nios/path/q32.hpp"
 

@@ -3,7 +3,7 @@
 
 from scratch import Scratch
 from trammel_tools import paths
-from trammel_tools.proof import aiger, controls, joined, leap_model, miter
+from trammel_tools.proof import aiger, joined, leap_model, miter, seeded_bugs
 from trammel_tools.proof.properties import PropertiesError
 
 MODULE = """module toy (input logic clk_i, output logic y_o);
@@ -27,13 +27,14 @@ class JoinedTest(Scratch):
     def setUp(self):
         super().setUp()
         self.patch(paths, RTL=self.folder, ROOT=self.folder)
-        self.patch(controls, RTL=self.folder, ROOT=self.folder)
+        self.patch(seeded_bugs, RTL=self.folder, ROOT=self.folder)
         self.path = self.write("math/toy.sv", MODULE)
         self.patch(leap_model, make=self.make, made_parts=lambda *_: (MODEL, INPUTS, WORDS, {}))
         self.patch(joined.domains, netlist=lambda _: TOP)
         self.model = joined.Joined(self.folder, "chips/toy", "joined", {
-            4: controls.parse(" stay (toy): y = !y"), 7: controls.parse(" stay (toy): y = y && b"),
-            9: controls.parse(" stay (toy): y <= next")}, False)
+            4: seeded_bugs.parse(" stay (toy): y = !y"),
+            7: seeded_bugs.parse(" stay (toy): y = y && b"),
+            9: seeded_bugs.parse(" stay (toy): y <= next")}, False)
 
     def make(self, _, sources):
         self.source, = sources

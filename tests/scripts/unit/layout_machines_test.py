@@ -91,9 +91,9 @@ class CompanionsTest(Layout):
         told = ("machines/winder/: neither machines/winder/chip.cmake nor the chip of a part of "
                 "parts/")
         self.finds(told, bare)
-        part = {"parts/servo/chip.cmake": "trammel_chip(servo)\n", "parts/servo/lines.hpp": LICENCE}
+        part = {"parts/servo/chip.cmake": "trammel_chip(servo)\n", "parts/servo/pins.hpp": LICENCE}
         self.finds(told, {**bare, **part})
-        used = {MACHINE: NO_CONTRACT + '#include "parts/servo/lines.hpp"\n'}
+        used = {MACHINE: NO_CONTRACT + '#include "parts/servo/pins.hpp"\n'}
         self.assertEqual(self.findings({**bare, **part, **used}), [])
 
     def test_firmware_and_views_of_no_machine_are_named(self):
@@ -235,13 +235,13 @@ class UsesTest(Layout):
                 ("cosim/loop.hpp", "systemc/platform.hpp", "cosim"),
                 ("systemc/platform.hpp", "lab/record.hpp", "systemc"),
                 ("lab/record.hpp", "testbench/run.hpp", "lab"),
-                ("lab/record.hpp", "parts/servo/lines.hpp", "lab"),
+                ("lab/record.hpp", "parts/servo/pins.hpp", "lab"),
                 ("lab/record.hpp", "models/plant/motor.hpp", "lab"),
-                ("parts/servo/lines.hpp", "testbench/run.hpp", "parts"),
-                ("parts/servo/lines.hpp", "systemc/platform.hpp", "parts"),
-                ("parts/servo/driver/servo.h", "parts/servo/lines.hpp", "parts/servo/driver"),
+                ("parts/servo/pins.hpp", "testbench/run.hpp", "parts"),
+                ("parts/servo/pins.hpp", "systemc/platform.hpp", "parts"),
+                ("parts/servo/driver/servo.h", "parts/servo/pins.hpp", "parts/servo/driver"),
                 ("parts/servo/driver/servo.c", "sw_nios/hal/bus.hpp", "parts/servo/driver"),
-                ("testbench/run.hpp", "parts/servo/lines.hpp", "testbench"),
+                ("testbench/run.hpp", "parts/servo/pins.hpp", "testbench"),
                 ("testbench/run.hpp", "systemc/platform.hpp", "testbench"),
                 ("machines/winder/keys.cpp", "systemc/platform.hpp", "machines/winder"),
                 ("sw_nios/hal/bus.hpp", "cosim/loop.hpp", "sw_nios"),

@@ -2,7 +2,7 @@
 """What is written of a model for the scheduler: its domains, triggers, clocks and registers."""
 
 from scratch import Scratch, call
-from trammel_tools.generate import gen_registers, model_regions
+from trammel_tools.generate import gen_model_state, model_regions
 
 HEADER = """    VL_IN8(clock_en_i,4,0);
     VlTriggerVec<3> __VicoTriggered;
@@ -75,24 +75,24 @@ class ClocksTest(Scratch):
                   "    CData/*0:0*/ __Vtrigprev__TOP__c__DOT__gated_clk;\n")
         other = "    CData/*0:0*/ __Vtrigrprev__TOP__c__DOT__clkless;\n"
         path = self.write("Vc.h", clocks + other)
-        text = gen_registers.stored_clocks(path)
+        text = gen_model_state.stored_clocks(path)
         self.assertIn("struct StoredClocks<Vc> {", text)
         self.assertIn("#include <Vc.h>", text)
         self.assertEqual([line.strip() for line in text.splitlines() if "= 0;" in line],
                          ["root.__Vtrigrprev__TOP__clk_i = 0;",
                           "root.__Vtrigprev__TOP__c__DOT__gated_clk = 0;"])
         for text in ("", other, clocks + "    CData/*0:0*/ __Vtrigprev_h12__0;\n"):
-            self.assertEqual(gen_registers.stored_clocks(self.write("Vc.h", text)), "")
+            self.assertEqual(gen_model_state.stored_clocks(self.write("Vc.h", text)), "")
 
     def test_a_register_is_visited_with_its_bits_and_inputs_come_first(self):
         header = self.write("Vc.h", "    VL_IN8(clk_i,0,0);\n    VL_IN8(rst_i,0,0);\n"
                             "    VL_OUT8(done_o,0,0);\n    SData/*11:0*/ chip__DOT__a_q;\n"
                             "    QData/*47:8*/ chip__DOT__b_q;\n")
         source = self.write("chip.sv", "a_q <= 1;\nb_q <= 2;\ndone_o <= 3;\n")
-        out = self.folder / "chip-saw_registers.hpp"
-        self.assertEqual(call(gen_registers.main, out, header, source)[0], 0)
+        out = self.folder / "chip-saw_state.hpp"
+        self.assertEqual(call(gen_model_state.main, out, header, source)[0], 0)
         lines = [line.strip() for line in out.read_text().splitlines()]
-        self.assertIn("struct ChipSawRegisters {", lines)
+        self.assertIn("struct ChipSawState {", lines)
         self.assertEqual([line for line in lines if line.startswith("visit(")], [
             'visit("rst_i", a.rst_i, b.rst_i);', 'visit("chip.a_q", a.chip__DOT__a_q, '
             'b.chip__DOT__a_q);', 'visit("chip.b_q", a.chip__DOT__b_q, b.chip__DOT__b_q);',

@@ -118,7 +118,7 @@ class MutantFloorsTest(Scratch):
     def test_equivalent_mutants_do_not_count(self):
         result = mutant_floors.Result("drive/toy", 100, equivalent=[{}] * 20, promise=[{}] * 10,
                                       left=[{}] * 4)
-        self.assertEqual((result.refused, result.counted, result.score), (76, 80, 95.0))
+        self.assertEqual((result.killed, result.counted, result.score), (76, 80, 95.0))
         self.assertEqual(mutant_floors.Result("drive/toy", 2, equivalent=[{}] * 2).score, 100.0)
 
     def test_a_block_without_a_line_has_the_floor_of_its_layer(self):
@@ -185,9 +185,9 @@ class SampleTest(Scratch):
         floors = mutant_floors.Floors(survivors={"drive/toy": dict.fromkeys(known, "")})
         asked = []
 
-        def judge(block, mutant, limit, promises):
+        def judge(block, mutant, limit, assertions):
             asked.append(mutant.number)
-            self.assertEqual(promises, not control)
+            self.assertEqual(assertions, not control)
             return verdicts[mutant.number], {"why": "open"}
 
         with mock.patch.object(mutants, "make", return_value=found), \

@@ -3,7 +3,7 @@
 
 from scratch import Scratch, call
 from trammel_tools import paths
-from trammel_tools.proof import promise_table, properties
+from trammel_tools.proof import assertion_table, properties
 
 GOOD = """module toy_props (input logic clk_i);
   below_ten : assert (count_o < 10);  // unlike this_comment : assert (x);
@@ -46,10 +46,11 @@ class PropertiesTest(Scratch):
 
     def test_labels_controls_and_options_are_read(self):
         props = self.read(GOOD)
-        self.assertEqual((props.promises, props.helpers, props.covers),
+        self.assertEqual((props.assertions, props.helpers, props.covers),
                          (["below_ten"], ["inv_same"], ["reaches_nine"]))
         self.assertEqual(
-            [(c.promises, c.module, c.name, c.sign, c.old, c.new, c.line) for c in props.controls],
+            [(bug.assertions, bug.module, bug.name, bug.sign, bug.old, bug.new, bug.line)
+             for bug in props.seeded_bugs],
             [(["below_ten"], "toy", "count_q", "<=", "", "up_i ? next : count_q", 5),
              (["below_ten"], "other", "", "=>", "old text", "new text", 6)])
         self.assertEqual(props.configurations, [["Width=4", "Depth=2"], ["Width=8"]])
@@ -102,30 +103,30 @@ class PropertiesTest(Scratch):
     def test_a_row_has_sentence_and_number_of_controls(self):
         self.write("math/toy_props.sv", GOOD)
         self.write("math/toy.md", PAGE.replace("* `other` = another.\n", ""))
-        self.assertEqual(list(promise_table.block_rows("math/toy")),
+        self.assertEqual(list(assertion_table.block_rows("math/toy")),
                          ["| toy | `below_ten` | the count stays below ten. | 2 |\n"])
 
     def test_a_promise_without_a_sentence_is_its_own(self):
         self.write("math/toy_props.sv", GOOD)
         self.write("math/toy.md", "# math/toy\n")
-        self.assertIn("| below ten. |", next(promise_table.block_rows("math/toy")))
+        self.assertIn("| below ten. |", next(assertion_table.block_rows("math/toy")))
 
     def test_a_page_promises_nothing_that_the_properties_do_not(self):
         self.write("math/toy_props.sv", GOOD)
         self.write("math/toy.md", PAGE)
         with self.assertRaisesRegex(properties.PropertiesError, "toy.md: other is not promised"):
-            list(promise_table.block_rows("math/toy"))
+            list(assertion_table.block_rows("math/toy"))
 
     def test_a_table_is_written_then_fresh_then_stale(self):
-        self.patch(promise_table, PAGE=self.folder / "promises" / "table.md")
+        self.patch(assertion_table, PAGE=self.folder / "assertions" / "table.md")
         self.write("math/toy_props.sv", GOOD)
         self.write("math/toy.md", "# math/toy\n")
 
         def run(check):
-            return call(lambda: promise_table.run(check))[0]
+            return call(lambda: assertion_table.run(check))[0]
 
         self.assertEqual([run(True), run(False), run(True)], [1, 0, 0])
-        self.assertIn("# 1 promises of 1 blocks\n", promise_table.PAGE.read_text())
+        self.assertIn("# 1 promises of 1 blocks\n", assertion_table.PAGE.read_text())
         self.write("math/toy_props.sv", GOOD.replace("count_o < 10", "count_o < 9"))
         self.assertEqual(run(True), 0)  # the table holds names and sentences, no expressions
         self.write("math/toy_props.sv", GOOD.replace("below_ten", "below_nine"))

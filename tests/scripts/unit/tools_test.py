@@ -32,8 +32,9 @@ class ToolsTest(unittest.TestCase):
         self.assertEqual(call(tools.main)[:2], (2, ""))
 
     def test_an_unknown_name_is_one_line_with_the_nearest(self):
-        self.assertEqual(call(tools.main, "gen-reg"),
-                         (2, "", "tool: gen-reg: no such tool; did you mean gen-regs?\n"))
+        self.assertEqual(call(tools.main, "gen-register-ma"),
+                         (2, "", "tool: gen-register-ma: no such tool; did you mean "
+                                 "gen-register-map?\n"))
         self.assertEqual(call(tools.main, "xyz"),
                          (2, "", "tool: xyz: no such tool; see scripts/tool --list\n"))
         self.assertEqual(call(tools.main, "x\nyz")[2],
@@ -54,7 +55,7 @@ class ToolsTest(unittest.TestCase):
 
     def test_every_tool_has_help_that_begins_with_what_it_does(self):
         for name, path in tools.every().items():
-            if name in WITHOUT_HELP or (name == "gen-regs"
+            if name in WITHOUT_HELP or (name == "gen-register-map"
                                         and importlib.util.find_spec("peakrdl_regblock") is None):
                 continue
             with self.subTest(name):

@@ -5,7 +5,7 @@ import os
 from unittest.mock import patch
 
 from scratch import Scratch, call
-from trammel_tools.generate import gen_registers, gen_wave_timers, model_regions
+from trammel_tools.generate import gen_model_state, gen_wave_timers, model_regions
 from trammel_tools.rtl import hierarchy
 
 RTL = """module chip;  // old <= new
@@ -76,22 +76,22 @@ DUMP = """void Vchip___024root__trace_chg_sub_0(Vchip___024root* vlSelf, Buffer*
 
 class GenRegistersTest(Scratch):
     def test_a_register_is_what_the_rtl_assigns_with_an_arrow(self):
-        assigned = gen_registers.assigned_names(
+        assigned = gen_model_state.assigned_names(
             "".join(hierarchy.modules("chip", [self.write("chip.sv", RTL)]).values()))
         self.assertLessEqual({"count_q", "sum_q", "carry_q", "memory", "flag_q"}, assigned)
         self.assertNotIn("count_d", assigned)
         self.assertNotIn("old", assigned)
-        self.assertEqual(gen_registers.registers(ROOT, assigned), [
+        self.assertEqual(gen_model_state.registers(ROOT, assigned), [
             "chip__DOT__flag_q", "chip__DOT__u_a__DOT__count_q",
             "chip__DOT__gen_axis__BRA__1__KET____DOT__sum_q", "chip__DOT__memory"])
 
     def test_an_output_that_the_rtl_assigns_with_an_arrow_is_a_register(self):
-        self.assertEqual(gen_registers.outputs(ROOT, {"done_o", "count_q"}), ["done_o"])
-        self.assertEqual(gen_registers.outputs(ROOT, {"count_q"}), [])
+        self.assertEqual(gen_model_state.outputs(ROOT, {"done_o", "count_q"}), ["done_o"])
+        self.assertEqual(gen_model_state.outputs(ROOT, {"count_q"}), [])
 
     def test_inputs_are_all_but_the_clock(self):
-        self.assertEqual(gen_registers.inputs(ROOT), ["rst_i", "word_i"])
-        self.assertEqual(gen_registers.inputs("VL_IN8(clk,0,0);\nVL_IN8(rst,0,0);"), ["rst"])
+        self.assertEqual(gen_model_state.inputs(ROOT), ["rst_i", "word_i"])
+        self.assertEqual(gen_model_state.inputs("VL_IN8(clk,0,0);\nVL_IN8(rst,0,0);"), ["rst"])
 
     def test_modules_of_other_chips_are_not_looked_at(self):
         inside = hierarchy.modules("chip", [
@@ -104,7 +104,7 @@ class GenRegistersTest(Scratch):
 
     def test_a_member_is_read_as_its_name_in_the_rtl(self):
         self.assertEqual(
-            gen_registers.readable("chip__DOT__gen_axis__BRA__1__KET____DOT__sum_q"),
+            gen_model_state.readable("chip__DOT__gen_axis__BRA__1__KET____DOT__sum_q"),
             "chip.gen_axis[1].sum_q")
 
     def run_on(self, *members, alone=False):
@@ -115,13 +115,13 @@ class GenRegistersTest(Scratch):
         more = "".join(f"    CData/*0:0*/ {member};\n" for member in members)
         if not alone:
             models.append(self.write("second.h", f"{kept}{more}CData __Vtrigrprev__TOP__clk_i;\n"))
-        code, _, err = call(gen_registers.main, self.folder / "chip_registers.hpp", *models, rtl)
+        code, _, err = call(gen_model_state.main, self.folder / "chip_state.hpp", *models, rtl)
         return code, err
 
     def test_a_model_has_its_registers_in_a_header_and_others_add_their_clocks_alone(self):
-        header = self.folder / "chip_registers.hpp"
+        header = self.folder / "chip_state.hpp"
         self.assertEqual(self.run_on(alone=True), (0, ""))
-        self.assertIn("struct ChipRegisters {", header.read_text())
+        self.assertIn("struct ChipState {", header.read_text())
         self.assertIn('    visit("chip.r7_q", a.chip__DOT__r7_q, b.chip__DOT__r7_q);\n',
                       header.read_text())
         os.utime(header, (1, 1))
@@ -129,7 +129,7 @@ class GenRegistersTest(Scratch):
         self.assertEqual(header.stat().st_mtime, 1)
         self.assertEqual(self.run_on(), (0, ""))
         self.assertIn("struct StoredClocks<second> {", header.read_text())
-        self.assertNotIn("ChipRegisters", header.read_text())
+        self.assertNotIn("ChipState", header.read_text())
 
     def test_a_register_that_only_another_model_has_is_refused(self):
         self.assertEqual(self.run_on("chip__DOT__u_x_props__DOT__r55_q"), (0, ""))
@@ -138,7 +138,7 @@ class GenRegistersTest(Scratch):
         self.assertIn("name them in public.vlt: chip.r55_q\n", err)
 
     def test_a_model_without_a_register_is_refused(self):
-        code, _, err = call(gen_registers.main, self.folder / "chip_registers.hpp",
+        code, _, err = call(gen_model_state.main, self.folder / "chip_state.hpp",
                             self.write("first.h", "    CData/*0:0*/ chip__DOT__r7_q;\n"),
                             self.write("chip.sv", "assign r7_q = 0;\n"))
         self.assertEqual(code, 1)

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "cosim/direct.hpp"
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 #include "machines/an693/recorder.hpp"
 #include "sw_nios/apps/an693/an693.hpp"
 #include "tests/support/figures.hpp"

@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 #include "machines/an693/session.hpp"
-#include "tests/support/broken_promise.hpp"
 #include "tests/support/event_record.hpp"
+#include "tests/support/failed_assertion.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/slope.hpp"
@@ -159,16 +159,18 @@ TEST_CASE("an693 ends at the sample after a failed assertion, and keeps its reco
   Options options = one_step();
   options.run.assertions = true;
   cosim::Hooks hooks;
-  hooks.progress = [](double) { test::break_promise("lm628.u_port.u_lm628_port_props.busy_ends"); };
+  hooks.progress = [](double) {
+    test::fail_assertion("lm628.u_port.u_lm628_port_props.busy_ends");
+  };
   const Result result = simulate(options, hooks);
-  CHECK(result.end == cosim::EndReason::kPromise);
-  REQUIRE(result.promise);
-  CHECK(result.promise->name == "busy_ends");
-  CHECK(result.promise->instance == "lm628.u_port");
+  CHECK(result.end == cosim::EndReason::kAssertion);
+  REQUIRE(result.assertion);
+  CHECK(result.assertion->name == "busy_ends");
+  CHECK(result.assertion->instance == "lm628.u_port");
   REQUIRE(result.samples.size() == 65);
   const Sample last = result.samples.back();
-  CHECK(result.promise->edge < last.edge);
-  CHECK(result.promise->edge > last.edge - 12800);
+  CHECK(result.assertion->edge < last.edge);
+  CHECK(result.assertion->edge > last.edge - 12800);
 }
 
 TEST_CASE("an693 reports its progress up to the end, and can be stopped") {

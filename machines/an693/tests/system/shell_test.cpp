@@ -11,9 +11,9 @@
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 #include "machines/an693/verbs/verbs.hpp"
-#include "tests/support/broken_promise.hpp"
+#include "tests/support/failed_assertion.hpp"
 
 using namespace trammel;
 using namespace trammel::an693;
@@ -116,11 +116,11 @@ TEST_CASE("a failed assertion ends a script and names the line at which it was s
   Shell shell(options, kNoStop);
   const auto script = parse_script("RDRP\nRDDP\nRDRV", "test");
   shell.execute(script[0]);
-  test::break_promise("lm628.u_port.u_lm628_port_props.busy_ends");
+  test::fail_assertion("lm628.u_port.u_lm628_port_props.busy_ends");
   CHECK_THROWS_WITH(shell.execute(script[1]),
                     Contains("test:2: assertion failed: busy_ends of lm628.u_port at 0.0"));
   CHECK_THROWS_AS(shell.execute(script[2]), Halt);
-  CHECK(shell.result().promise);
+  CHECK(shell.result().assertion);
 }
 
 TEST_CASE("an audited script gives the same answers as any other") {
@@ -130,7 +130,7 @@ TEST_CASE("an audited script gives the same answers as any other") {
       "PORT12\nLFIL 8 50\nUDF\nLTRJ 002Ah 9000 90000 300\nSTT\nwait 5 ms\nRDRP";
   const Played audited = play(script, options);
   CHECK(audited.halt.empty());
-  CHECK_FALSE(audited.result.promise);
+  CHECK_FALSE(audited.result.assertion);
   CHECK(audited.text == play(script).text);
 }
 

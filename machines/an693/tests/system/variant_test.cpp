@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "machines/an693/machine.hpp"
+#include "machines/an693/machine_members.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/wirings.hpp"
 

@@ -244,7 +244,7 @@ TEST_CASE("a million bytes of any kind, then the track does as it is told", "[.m
   // Among them are masks and slots of the observer, which loses the track meanwhile.
   CHECK(result.end == cosim::EndReason::kMissed);
   CHECK_THAT(result.fault, Catch::Contains("lost a stripe"));
-  CHECK_FALSE(result.promise);
+  CHECK_FALSE(result.assertion);
   CHECK(result.malformed > 5'000);
   CHECK(result.unknown > 100'000);
   CHECK(result.heard.size() > 100'000);

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/pins.hpp"
 
 namespace trammel::kung {
 

@@ -101,8 +101,8 @@ class ChipModel : public KungChip, private ChipState {
   }
   std::int32_t integral(int axis) const override { return probe_integral(*model_->rootp, axis); }
   Fault fault() const override { return probe_fault(*model_->rootp); }
-  std::optional<cosim::BrokenPromise> broken_promise() const override {
-    return model_.broken_promise();
+  std::optional<cosim::FailedAssertion> failed_assertion() const override {
+    return model_.failed_assertion();
   }
 
  private:

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "cosim/cosim.hpp"
-#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/pins.hpp"
 #include "machines/kung/chip/verilated/adc.hpp"
 #include "machines/kung/chip/wakes.hpp"
 #include "cosim/verilated/axi_lite.hpp"

@@ -5,7 +5,7 @@
 #include <Vsoc_host_fast.h>
 #include <Vsoc_host_fast___024root.h>
 
-#include <soc_host_registers.hpp>
+#include <soc_host_state.hpp>
 
 #include "machines/kung/chip/verilated/soc_core.hpp"
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "cosim/cosim.hpp"
-#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/pins.hpp"
 #include "machines/kung/chip/verilated/adc.hpp"
 
 namespace trammel::kung {

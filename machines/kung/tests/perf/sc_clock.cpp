@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Row `sc` of `trammel perf`: the reference all ratios refer to. See board.hpp.
-#include "machines/kung/plan/words.hpp"
-#include "machines/kung/tests/perf/board.hpp"
+// Row `sc` of `trammel perf`: the reference all ratios refer to. See surroundings.hpp.
+#include "machines/kung/plan/register_values.hpp"
 #include "machines/kung/tests/perf/row.hpp"
+#include "machines/kung/tests/perf/surroundings.hpp"
 
 namespace trammel::perf {
 namespace {
@@ -59,14 +59,15 @@ Outcome run_sc(const Arguments& arguments) {
   Pins pins;
   const auto chip = std::make_unique<Vkung_xy_sc>("chip");
   bind(*chip, pins);
-  Board board("board", arguments.options, pins, *chip, arguments.pins);
-  sc_core::sc_clock clk("clk", board.period(), 0.5, board.period(), true);
-  board.clk(clk);
+  Surroundings surroundings("board", arguments.options, pins, *chip, arguments.pins);
+  sc_core::sc_clock clk("clk", surroundings.period(), 0.5, surroundings.period(), true);
+  surroundings.clk(clk);
   chip->clk_i(clk);
-  sc_core::sc_start(board.stop_time(arguments.options.run.clocks(arguments.options.run.max_s)));
-  const cosim::Clk clocks = board.edge() + 1;
+  sc_core::sc_start(
+      surroundings.stop_time(arguments.options.run.clocks(arguments.options.run.max_s)));
+  const cosim::Clk clocks = surroundings.edge() + 1;
   chip->final();
-  return {clocks, clocks, board.event_hash(), board.samples()};
+  return {clocks, clocks, surroundings.event_hash(), surroundings.samples()};
 }
 
 }  // namespace

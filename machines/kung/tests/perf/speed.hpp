@@ -5,7 +5,7 @@
 // circle.
 #pragma once
 
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
 #include "machines/kung/tests/perf/row.hpp"

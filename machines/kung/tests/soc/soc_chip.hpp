@@ -14,7 +14,7 @@
 
 #include "cosim/cosim.hpp"
 #include "cosim/serial_host.hpp"
-#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/pins.hpp"
 #include "machines/kung/chip/soc.hpp"
 #include "machines/kung/chip/verilated/adc.hpp"
 #include "machines/kung/tests/soc/transfer.hpp"

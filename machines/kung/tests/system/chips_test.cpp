@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "cosim/direct.hpp"
-#include "machines/kung/tests/chip_words.hpp"
 #include "machines/kung/tests/chips.hpp"
+#include "machines/kung/tests/stop_values.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 #include "tests/support/kung_transfers.hpp"
 #include "tests/support/random.hpp"
@@ -65,7 +65,7 @@ class Bench final : public cosim::Observer {
   }
   cosim::Loop& loop() { return loop_; }
 
-  std::vector<test::StopWords> stops;  // since they were last compared
+  std::vector<test::StopValues> stops;  // since they were last compared
 
  private:
   std::unique_ptr<kung::KungChip> chip_;
@@ -85,7 +85,7 @@ struct Reached {
   int gates = 0, irqs = 0, samples = 0, trips = 0, clears = 0;
 };
 
-void count(const test::StopWords& stop, std::int64_t& fault, Reached& reached) {
+void count(const test::StopValues& stop, std::int64_t& fault, Reached& reached) {
   reached.gates += (stop.stop.why & cosim::kDrive) != 0;
   reached.irqs += (stop.stop.why & cosim::kIrq) != 0;
   reached.samples += (stop.stop.why & cosim::kSample) != 0;

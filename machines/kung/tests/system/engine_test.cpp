@@ -10,8 +10,8 @@
 #include "machines/kung/run/session.hpp"
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/kung/plan/words.hpp"
-#include "machines/kung/tests/chip_words.hpp"
+#include "machines/kung/plan/register_values.hpp"
+#include "machines/kung/tests/stop_values.hpp"
 #include "tests/support/event_record.hpp"
 #include "tests/support/scenarios.hpp"
 #include "tests/support/scratch.hpp"
@@ -55,15 +55,15 @@ void check_same(const Options& options) {
   CHECK(twin.result.fault.axis == rtl.result.fault.axis);
   CHECK(twin.result.fault.tick == rtl.result.fault.tick);
   CHECK(twin.result.fault.processor == rtl.result.fault.processor);
-  CHECK(twin.result.detail.rules_first == rtl.result.detail.rules_first);
-  CHECK(twin.result.detail.rules_last == rtl.result.detail.rules_last);
-  CHECK(twin.result.detail.gates.compare == rtl.result.detail.gates.compare);
+  CHECK(twin.result.snapshot.rules_first == rtl.result.snapshot.rules_first);
+  CHECK(twin.result.snapshot.rules_last == rtl.result.snapshot.rules_last);
+  CHECK(twin.result.snapshot.gates.compare == rtl.result.snapshot.gates.compare);
   REQUIRE(twin.result.samples.size() == rtl.result.samples.size());
   CHECK(rtl.result.samples.size() > 25);
   for (std::size_t n = 0; n < rtl.result.samples.size(); ++n) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const auto ours = test::integer_words(twin.result.samples[n].axis[axis]);
-      const auto theirs = test::integer_words(rtl.result.samples[n].axis[axis]);
+      const auto ours = test::integer_values(twin.result.samples[n].axis[axis]);
+      const auto theirs = test::integer_values(rtl.result.samples[n].axis[axis]);
       if (ours == theirs) continue;
       CAPTURE(n, axis);
       FAIL(test::differences(test::integer_names(), theirs, ours));

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "cosim/direct.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
 #include "models/ideal/fuzzy_controller.hpp"
@@ -200,7 +200,7 @@ TEST_CASE("energy through the chip is balanced for each motor, without dead time
       Unobserved nobody;
       cosim::Loop loop(*chip, plant, nobody);
       sw::KungApp app(setup);
-      cosim::run_direct(loop, app, {}, cosim::RunBasics().clocks(0.4), [] { return false; });
+      cosim::run_direct(loop, app, {}, cosim::RunOptions().clocks(0.4), [] { return false; });
       for (int axis = 0; axis < kAxes; ++axis) {
         const auto k = static_cast<std::size_t>(axis);
         CAPTURE(motor.name, carrier, axis, plant.in_j[k], plant.out_j[k], plant.moved_j[k]);

@@ -17,7 +17,7 @@
 #include "lab/report_data.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/kung/chip/measures.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/precision/trace.hpp"
 #include "machines/kung/run/make_plan.hpp"

@@ -7,7 +7,7 @@
 #include "cosim/direct.hpp"
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/kung/plan/words.hpp"
+#include "machines/kung/plan/register_values.hpp"
 #include "machines/kung/run/response.hpp"
 #include "machines/kung/run/session.hpp"
 #include "tests/support/session_run.hpp"

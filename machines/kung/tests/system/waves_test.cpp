@@ -171,7 +171,7 @@ TEST_CASE("windows that begin at any clock show the run exactly") {
   const auto check = [&base](const Options& shown) {
     const Result result = simulate(shown, {});
     std::filesystem::remove(shown.run.wave_file);
-    CHECK_FALSE(result.promise);
+    CHECK_FALSE(result.assertion);
     CHECK(result.end == EndReason::kDone);
     CHECK(result.waves.size() > 800);
     CHECK(result.event_hash == base.event_hash);

@@ -24,7 +24,7 @@ MASK = 2**64 - 1
 
 
 def lines_of(hi, lo):
-    """Gates as machines/kung/chip/lines.hpp packs them."""
+    """Gates as machines/kung/chip/pins.hpp packs them."""
     return sum(((hi >> 3 * axis) & 7) << 6 * axis | ((lo >> 3 * axis) & 7) << 6 * axis + 3
                for axis in (0, 1))
 

@@ -4,7 +4,7 @@
 #include <Vkung_xy.h>
 #include <Vkung_xy___024root.h>
 #ifndef TRAMMEL_WHOLE  // then as with a Verilator whose regions are not known
-#include <kung_xy_registers.hpp>
+#include <kung_xy_state.hpp>
 #endif
 
 #include <cstdio>
@@ -32,7 +32,7 @@ const std::vector<Signal>& signals() {
   return none;
 }
 
-std::unique_ptr<KungChip> make_verilated_chip(const cosim::RunBasics& run,
+std::unique_ptr<KungChip> make_verilated_chip(const cosim::RunOptions& run,
                                               const std::optional<cosim::WaveWindow>&) {
   return std::make_unique<ChipModel<Vkung_xy, cosim::NoTrace>>(cosim::NoTrace{},
                                                                cosim::ModelMode{run.leap, false});

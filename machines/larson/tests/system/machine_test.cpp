@@ -10,7 +10,7 @@
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/larson/machine.hpp"
+#include "machines/larson/machine_members.hpp"
 #include "machines/larson/tests/scripted.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/wirings.hpp"

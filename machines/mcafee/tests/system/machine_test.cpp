@@ -5,10 +5,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/machine_members.hpp"
 #include "machines/mcafee/session.hpp"
-#include "tests/support/broken_promise.hpp"
 #include "tests/support/event_record.hpp"
+#include "tests/support/failed_assertion.hpp"
 #include "tests/support/slope.hpp"
 #include "tests/support/wirings.hpp"
 
@@ -54,11 +54,11 @@ TEST_CASE("mcafee: a failed assertion ends the run at the next sample") {
   Options options = small_corner();
   options.run.assertions = true;
   cosim::Hooks hooks;
-  hooks.progress = [](double) { test::break_promise("mcafee_xy.u_x.u_lm628_props.kept"); };
+  hooks.progress = [](double) { test::fail_assertion("mcafee_xy.u_x.u_lm628_props.kept"); };
   const Result result = simulate(options, hooks);
-  CHECK(result.end == cosim::EndReason::kPromise);
-  REQUIRE(result.promise);
-  CHECK(result.promise->instance == "mcafee_xy.u_x");
+  CHECK(result.end == cosim::EndReason::kAssertion);
+  REQUIRE(result.assertion);
+  CHECK(result.assertion->instance == "mcafee_xy.u_x");
   CHECK(result.samples.size() == 65);
 }
 

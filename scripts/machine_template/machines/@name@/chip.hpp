@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "cosim/machine.hpp"
-#include "cosim/pin_board.hpp"
+#include "cosim/pin_bus.hpp"
+#include "cosim/run.hpp"
 
 namespace trammel::@name@ {
 
@@ -15,6 +15,6 @@ inline constexpr cosim::Clk kSampleClk = 5000;  // of the record: 0.1 ms, two pe
 
 // As the run asks; with a window its waves are dumped into run.wave_file.
 std::unique_ptr<cosim::PinnedChip> make_verilated_chip(
-    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window);
+    const cosim::RunOptions& run, const std::optional<cosim::WaveWindow>& window);
 
 }  // namespace trammel::@name@

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "machines/@name@/machine.hpp"
+#include "machines/@name@/machine_members.hpp"
 #include "machines/@name@/record.hpp"
 
 namespace trammel::@name@ {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/key_table.hpp"
-#include "machines/@name@/machine.hpp"
+#include "machines/@name@/machine_members.hpp"
 #include "machines/@name@/options.hpp"
 
 namespace trammel::@name@ {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/@name@/machine.hpp"
+#include "machines/@name@/machine_members.hpp"
 
 #include "machines/@name@/session.hpp"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cosim/cosim.hpp"
-#include "machines/@name@/lines.hpp"
+#include "machines/@name@/pins.hpp"
 #include "models/pins/port.hpp"
 #include "models/plant/motor_axis.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "cosim/machine.hpp"
+#include "cosim/run.hpp"
 #include "host/disk_vector.hpp"
 #include "machines/@name@/options.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "cosim/verilated/pin_chip.hpp"
 #include "machines/@name@/chip.hpp"
-#include "machines/@name@/lines.hpp"
+#include "machines/@name@/pins.hpp"
 #include "models/pins/port.hpp"
 #include "sw_nios/apps/@name@/@name@.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
-#include "machines/@name@/machine.hpp"
+#include "machines/@name@/machine_members.hpp"
 #include "machines/@name@/record.hpp"
 
 using namespace trammel;
@@ -52,7 +52,7 @@ TEST_CASE("every wiring gives the same events") {
   whole.run.leap = false;
   for (const Options& other : {systemc, steps, checked, whole}) {
     const lab::Record same = lab::run(other);
-    CHECK_FALSE(same.result->promise);
+    CHECK_FALSE(same.result->assertion);
     CHECK(same.result->event_hash == record.result->event_hash);
   }
   const bool leaps = @name@::machine().can.leap;
