@@ -12,6 +12,7 @@ SLACK = {"counts": 2, "A": 0.3, "V": 1, "s": 0.25}  # rounding is not alike
 class Mirror(unittest.TestCase):
     moves = {}     # scenario: {key: value}, of which positions are turned round
     signed = ()    # ids of figures that have the sign of the motion
+    unlike = ()    # ids of figures that depend on how the motor hunts within a count
     program, folder = None, None
 
     def figures(self, scenario, keys, name):
@@ -33,6 +34,8 @@ class Mirror(unittest.TestCase):
                 self.assertEqual(verdict, other)
                 self.assertEqual(set(ahead), set(back))
                 for name, figure in ahead.items():
+                    if name in self.unlike:
+                        continue
                     value, sign = figure["value"], -1 if name in self.signed else 1
                     self.assertAlmostEqual(
                         back[name]["value"] * sign, value,

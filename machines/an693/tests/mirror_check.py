@@ -20,6 +20,7 @@ class Moves(mirror.Mirror):
         "an693-tuning": {"trajectory.position_counts": 50, "trajectory.steps": 2},
     }
     signed = ("motion.desired_count", "motion.real_count")
+    unlike = ("supply.energy_J",)
 
 
 if __name__ == "__main__":

@@ -121,7 +121,8 @@ def of_program(machine):
     own = folder_of(machine)
     named = sources.names_in(*matching(f"{own}/chip.cmake", "parts/*/chip.cmake"))
     files = [sources.modules()[name] for name in named]
-    chips = [block_of(Path(name)) for name in files if name.startswith(("rtl/chips/", f"{own}/"))]
+    chips = [name[4:-3] for name in files if name.startswith("rtl/chips/")]
+    chips += [block_of(Path(name)) for name in files if name.startswith(f"{own}/")]
     return code_of(machine) | matching("rtl/boards/**") | sources.rtl(*chips)
 
 
