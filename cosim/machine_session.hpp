@@ -68,7 +68,10 @@ class MachineSession : public SampledSession {
  private:
   void sampled(Clk edge, bool recorded) final {
     const Sample sample = sample_at(edge);
-    if (!at_end_) look(sample);
+    if (!at_end_) {
+      look(sample);
+      if (at_end_) at_end_->supplied_J = plant_.supplied(edge);
+    }
     if (!recorded) return;
     samples_.push_back(sample);
     mix(sample);

@@ -41,7 +41,7 @@ void Rig::watch_fault(const Stop& stop) {
 void Rig::complete(RunResult& result) const {
   if (fault_watch_) result.fault_report = fault_watch_->report();
   result.clock_ps = run_.clock_ps;
-  result.supplied_J = plant_->supplied(chip_->now());
+  if (!result.supplied_J) result.supplied_J = plant_->supplied(chip_->now());
   close_result(result, *chip_, waves_.window, started_);
 }
 

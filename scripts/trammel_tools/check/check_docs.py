@@ -34,7 +34,7 @@ from trammel_tools.paths import ROOT
 
 FILES = ROOT / "docs" / "files.md"
 # Files of a run, in the sources and in scripts of gnuplot.
-WRITTEN = re.compile(r'(?:scratch|folder|parent_path\(\)) / "([\w.]+)"')
+WRITTEN = re.compile(r'(?:scratch|folder|parent_path\(\)) / "(\w+\.[\w.]+)"')
 DRAWN = re.compile(r"set output '([\w.]+)'")
 LESSONS = (ROOT / "docs" / "quickstart.md", ROOT / "docs" / "tutorial.md")
 LIMIT_S = 300  # of one block

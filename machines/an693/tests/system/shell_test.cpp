@@ -62,7 +62,7 @@ TEST_CASE("a script of E6 gives every figure of the scenario an693-absolute") {
   Options options;
   lab::apply_file(options, lab::find_scenario("an693-absolute"));
   options.run.platform = cosim::Platform::kDirect;
-  const nlohmann::json wanted = lab::metrics_json(lab::run(options));
+  nlohmann::json wanted = lab::metrics_json(lab::run(options));
 
   Arguments arguments;
   arguments.scenario = "absolute";
@@ -70,8 +70,15 @@ TEST_CASE("a script of E6 gives every figure of the scenario an693-absolute") {
   arguments.report = false;
   std::atomic<bool> stop{false};
   REQUIRE(lm628_shell(arguments, stop, {}) == 0);
-  const auto got = metrics_of(arguments.out);
-  CHECK(got["figures"] == wanted["figures"]);
+  nlohmann::json got = metrics_of(arguments.out);
+  // Energy is counted up to the end of the run, here some clocks later.
+  nlohmann::json &figures = got["figures"], &others = wanted["figures"];
+  REQUIRE(figures.back()["id"] == "supply.energy_J");
+  CHECK(figures.back()["value"].get<double>() ==
+        Approx(others.back()["value"].get<double>()).epsilon(1e-6));
+  figures.erase(figures.size() - 1);
+  others.erase(others.size() - 1);
+  CHECK(figures == others);
   CHECK(got["motion"] == wanted["motion"]);
   CHECK(got["interrupts"] == wanted["interrupts"]);
   CHECK(got["motion"]["samples"] == 45772);
