@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <sstream>
 
@@ -211,6 +213,22 @@ int fail(const std::exception& error, int code, const char* kind = "") {
   return code;
 }
 
+std::unique_ptr<char[]> g_reserve;  // memory for the message of out_of_memory()
+std::terminate_handler g_terminate = nullptr;  // for all other ends
+
+// Destructors of JSON values take memory: where there is none, they end the program, as a kill does.
+[[noreturn]] void out_of_memory() {
+  g_reserve.reset();
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc& error) {
+    std::_Exit(fail(error, 2));
+  } catch (...) {
+  }
+  g_terminate();
+  std::abort();
+}
+
 int run_line(CommandLine& line, int argc, char** argv) {
   try {
     line.app.parse(argc, argv);
@@ -271,6 +289,8 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  g_reserve = std::make_unique<char[]>(1 << 16);
+  g_terminate = std::set_terminate(out_of_memory);
   tb::guard_streams();
   trammel::lab::take_machines(trammel::linked_machines, trammel::all_are_linked());
   return tb::settled(run_program(argc, argv));

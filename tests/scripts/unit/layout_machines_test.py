@@ -57,18 +57,18 @@ class Layout(Scratch):
 
 class CompanionsTest(Layout):
     def test_a_machine_of_examples_has_all_in_its_folder(self):
-        own = "examples/drives/spindle"
-        files = {f"{own}/machine.cpp": NO_CONTRACT, f"{own}/README.md": "# spindle\n",
-                 f"{own}/view.toml": "[*] spindle\n", f"{own}/scenarios/turn.toml": "",
+        own = "examples/drives/lathe"
+        files = {f"{own}/machine.cpp": NO_CONTRACT, f"{own}/README.md": "# lathe\n",
+                 f"{own}/view.toml": "[*] lathe\n", f"{own}/scenarios/turn.toml": "",
                  f"{own}/tests/keys_test.cpp": LICENCE,
-                 f"{own}/chip.cmake": "trammel_chip(spindle_pwm)\n",
-                 f"{own}/rtl/spindle_pwm.sv": PLAIN.replace("winder", "spindle"),
-                 f"{own}/rtl/spindle_pwm.md": PAGE.replace("chips/winder", "spindle/spindle")}
+                 f"{own}/chip.cmake": "trammel_chip(lathe_pwm)\n",
+                 f"{own}/rtl/lathe_pwm.sv": PLAIN.replace("winder", "lathe"),
+                 f"{own}/rtl/lathe_pwm.md": PAGE.replace("chips/winder", "lathe/lathe")}
         self.assertEqual(self.findings(files), [])
         self.finds(f"{own}/: companion {own}/view.toml is missing",
                    {**files, f"{own}/view.toml": None})
-        self.finds(f"{own}/chip.cmake: there is no {own}/rtl/spindle_pwm.sv",
-                   {**files, f"{own}/rtl/spindle_pwm.sv": None})
+        self.finds(f"{own}/chip.cmake: there is no {own}/rtl/lathe_pwm.sv",
+                   {**files, f"{own}/rtl/lathe_pwm.sv": None})
 
     def test_there_is_nothing_to_say_of_a_good_machine(self):
         self.assertEqual(self.findings({}), [])
