@@ -24,10 +24,10 @@ class MachinesTest(Scratch):
         self.assertEqual(machines.scenarios(), {"saw-cut": "saw", "spin": "winder"})
 
     def test_a_machine_may_be_anywhere_in_examples_but_has_a_name_of_its_own(self):
-        self.write("examples/drives/spindle/machine.cpp", "")
-        self.write("examples/drives/spindle/scenarios/turn.toml", "")
-        self.assertEqual(machines.folders()["spindle"], self.folder / "examples/drives/spindle")
-        self.assertEqual(machines.scenarios(), {"turn": "spindle"})
+        self.write("examples/drives/lathe/machine.cpp", "")
+        self.write("examples/drives/lathe/scenarios/turn.toml", "")
+        self.assertEqual(machines.folders()["lathe"], self.folder / "examples/drives/lathe")
+        self.assertEqual(machines.scenarios(), {"turn": "lathe"})
         self.write("examples/saw/machine.cpp", "")
         with self.assertRaisesRegex(machines.MachineError,
                                     "machines/saw/machine.cpp: examples/saw/ is a machine of that"):
