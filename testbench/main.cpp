@@ -213,22 +213,6 @@ int fail(const std::exception& error, int code, const char* kind = "") {
   return code;
 }
 
-std::unique_ptr<char[]> g_reserve;  // memory for the message of out_of_memory()
-std::terminate_handler g_terminate = nullptr;  // for all other ends
-
-// Destructors of JSON values take memory: where there is none, they end the program, as a kill does.
-[[noreturn]] void out_of_memory() {
-  g_reserve.reset();
-  try {
-    if (const auto error = std::current_exception()) std::rethrow_exception(error);
-  } catch (const std::bad_alloc& error) {
-    std::_Exit(fail(error, 2));
-  } catch (...) {
-  }
-  g_terminate();
-  std::abort();
-}
-
 int run_line(CommandLine& line, int argc, char** argv) {
   try {
     line.app.parse(argc, argv);
@@ -257,17 +241,10 @@ int run_line(CommandLine& line, int argc, char** argv) {
   return perform(line);
 }
 
-// All but what becomes of standard output at the end.
-int run_program(int argc, char** argv) {
+// Reports the error that is being handled; its exit code.
+int failed() {
   try {
-    CommandLine line;
-    return run_line(line, argc, argv);
-  } catch (const trammel::cosim::NotBuilt& error) {
-    tb::hand_over("trammel_" + trammel::lab::machines().front()->name + "_watched", argv);
-    return fail(error, 3);
-  } catch (const trammel::lab::NotLinked& error) {
-    tb::hand_over(error.machine.empty() ? "trammel" : "trammel_" + error.machine, argv);
-    return fail(error, 3);
+    throw;
   } catch (const trammel::host::ConfigError& error) {
     return fail(error, 2);
   } catch (const std::filesystem::filesystem_error& error) {
@@ -286,11 +263,32 @@ int run_program(int argc, char** argv) {
   }
 }
 
+// All but what becomes of standard output at the end.
+int run_program(int argc, char** argv) {
+  try {
+    CommandLine line;
+    return run_line(line, argc, argv);
+  } catch (const trammel::cosim::NotBuilt& error) {
+    tb::hand_over("trammel_" + trammel::lab::machines().front()->name + "_watched", argv);
+    return fail(error, 3);
+  } catch (const trammel::lab::NotLinked& error) {
+    tb::hand_over(error.machine.empty() ? "trammel" : "trammel_" + error.machine, argv);
+    return fail(error, 3);
+  } catch (const std::exception&) {
+    return failed();
+  }
+}
+
+std::unique_ptr<char[]> g_reserve;  // memory for the message of an error that ends the program
+
 }  // namespace
 
 int main(int argc, char** argv) {
   g_reserve = std::make_unique<char[]>(1 << 16);
-  g_terminate = std::set_terminate(out_of_memory);
+  std::set_terminate([] {  // destructors of JSON values take memory, and may not throw
+    g_reserve.reset();
+    std::_Exit(std::current_exception() ? failed() : 70);
+  });
   tb::guard_streams();
   trammel::lab::take_machines(trammel::linked_machines, trammel::all_are_linked());
   return tb::settled(run_program(argc, argv));
