@@ -63,7 +63,6 @@ TEST_CASE("a script of E6 gives every figure of the scenario an693-absolute") {
   lab::apply_file(options, lab::find_scenario("an693-absolute"));
   options.run.platform = cosim::Platform::kDirect;
   nlohmann::json wanted = lab::metrics_json(lab::run(options));
-
   Arguments arguments;
   arguments.scenario = "absolute";
   arguments.out = "lm628_shell_test_script";
@@ -73,11 +72,9 @@ TEST_CASE("a script of E6 gives every figure of the scenario an693-absolute") {
   nlohmann::json got = metrics_of(arguments.out);
   // Energy is counted up to the end of the run, here some clocks later.
   nlohmann::json &figures = got["figures"], &others = wanted["figures"];
-  REQUIRE(figures.back()["id"] == "supply.energy_J");
-  CHECK(figures.back()["value"].get<double>() ==
-        Approx(others.back()["value"].get<double>()).epsilon(1e-6));
-  figures.erase(figures.size() - 1);
-  others.erase(others.size() - 1);
+  const double energy = others.back()["value"];
+  CHECK(figures.back()["value"].get<double>() == Approx(energy).epsilon(1e-6));
+  for (auto* list : {&figures, &others}) list->erase(list->size() - 1);
   CHECK(figures == others);
   CHECK(got["motion"] == wanted["motion"]);
   CHECK(got["interrupts"] == wanted["interrupts"]);
